@@ -4,7 +4,7 @@
  * @class   vtkApolloniusIsolines
  * @brief   isolines, ridges and bands of distances, curved inside triangles
  *
- * <b>Input and output</b>. Port 0 takes a surface with a point array of distances along it, that of
+ * <b>Input and output</b>. Port 0 takes a surface with a point array of distances along it, set by
  * SetInputArrayToProcess() or otherwise DistanceArrayName. NaN, infinity and UnreachedValue mark
  * unreached points. Windows and virtual sources that do not belong to the distances or the surface
  * are ignored, with a warning. Values that are not distances in units of the points are not always
@@ -21,9 +21,9 @@
  * bound: errors in long triangles, as in CAD models, may exceed half of the largest distance, and
  * some ridges are spurious. A warning recommends windows if GetMeanAnisotropy() is above 2.
  *
- * <b>Errors</b>. Those of vtkGeodesicAlgorithm; no array of distances with one number per point; a
- * distance of minus infinity; a value that is not finite. If there is no line, and neither ridges
- * nor bands are requested, a warning states the range of the distances. The module page,
+ * <b>Errors</b>. All errors of vtkGeodesicAlgorithm; no array of distances with one number per
+ * point; a distance of minus infinity; a value that is not finite. If there is no line, and neither
+ * ridges nor bands are requested, a warning states the range of the distances. The module page,
  * Filters/Geodesic/Curves.md, has the accuracy by input and the treatment of other values.
  *
  * <b>Source</b>. J. S. B. Mitchell, D. M. Mount, C. H. Papadimitriou, "The discrete geodesic
@@ -67,7 +67,7 @@ public:
   ///@}
 
   /**
-   * Returns the modification time, including that of the values.
+   * Returns the modification time, including the modification time of the values.
    */
   vtkMTimeType GetMTime() override;
 
@@ -75,8 +75,8 @@ public:
    * Interpolation of the distance in triangles. Apollonius is the construction of Fang's thesis,
    * section 5.3, with two rules corrected: on an edge that crosses a ridge, the cubic, which would
    * smooth the ridge, is replaced by the smaller of the distances from both ends; points of a
-   * diagram inside a triangle have the distance of the field, since that of the diagram is too
-   * large.
+   * diagram inside a triangle have the distance of the field, since the distance of the diagram is
+   * too large.
    */
   enum MethodType
   {

@@ -4,7 +4,7 @@
  * @class   vtkDGGDistance
  * @brief   distances along a surface within a guaranteed error, in milliseconds
  *
- * <b>Input and output</b>. Those of vtkGeodesicDistanceAlgorithm, plus `GeodesicUpperBound` on
+ * <b>Input and output</b>. Same as for vtkGeodesicDistanceAlgorithm, plus `GeodesicUpperBound` on
  * request. The graph is that on the input; without one the filter builds its own, see
  * vtkGeodesicAlgorithm. On a cloud, distances are those in its graph.
  *
@@ -12,12 +12,12 @@
  *
  *     |result - exact distance| <= accuracy * (exact distance - o),
  *
- * up to rounding (1e-6) and GetMollification(), where accuracy is that of the graph and o the
+ * up to rounding (1e-6) and GetMollification(), where accuracy is the graph's accuracy and o the
  * smallest initial distance of a source. Sources inside triangles have the same bound. Without
  * Correction, results are lengths of paths in the graph. Graphs by a rule without a guarantee
  * (OneRelay, SaddleVertexGraph) have no bound. Only an update that builds a graph takes long.
  *
- * <b>Errors</b>. Those of vtkGeodesicDistanceAlgorithm; a graph, or links of sources inside
+ * <b>Errors</b>. All errors of vtkGeodesicDistanceAlgorithm; a graph, or links of sources inside
  * triangles (about 250 bytes per triangle), beyond MemoryLimit; GenerateVirtualSource on a cloud.
  * @code
  * vtkNew<vtkDGGDistance> distance;

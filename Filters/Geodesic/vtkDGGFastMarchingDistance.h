@@ -8,20 +8,20 @@
  * split by unfolding the faces beyond. On points without polygons and strips, a point cloud, the
  * front moves through a band of voxels around the points. No graph is used.
  *
- * <b>Input and output</b>. Those of vtkGeodesicDistanceAlgorithm. On clouds, source points may be
- * beside the cloud (see Filters/PointCloud/README.md); outside the band they start at the closest
- * point, with the distance to that point. Not reached are parts that the band does not connect and,
- * unless a source is there, outliers (see Filters/PointCloud/README.md) and points that are not
- * finite. Copies of a point have one distance.
+ * <b>Input and output</b>. Same as for vtkGeodesicDistanceAlgorithm. On clouds, source points may
+ * be beside the cloud (see Filters/PointCloud/README.md); outside the band they start at the
+ * closest point, with the distance to that point. Not reached are parts that the band does not
+ * connect and, unless a source is there, outliers (see Filters/PointCloud/README.md) and points
+ * that are not finite. Copies of a point have one distance.
  *
  * <b>Guarantee and cost</b>. Errors have no bound; the module page, Filters/Geodesic/Distances.md,
  * has figures and the behavior on thin parts and close layers. Preparation and memory are small on
  * meshes. On clouds the band is kept until points, BandRadius or Resolution change; a query takes
  * 17 bytes per voxel of the blocks of 8 x 8 x 8 voxels that the band touches.
  *
- * <b>Errors</b>. Those of vtkGeodesicDistanceAlgorithm. On clouds also GenerateVirtualSource; parts
- * farther apart than 2^23 automatic voxels or 2^30 spacings; a band and a query beyond MemoryLimit,
- * or more than 2^31 voxels in the blocks of the band.
+ * <b>Errors</b>. All errors of vtkGeodesicDistanceAlgorithm. On clouds also GenerateVirtualSource;
+ * parts farther apart than 2^23 automatic voxels or 2^30 spacings; a band and a query beyond
+ * MemoryLimit, or more than 2^31 voxels in the blocks of the band.
  *
  * <b>Source</b>. R. Kimmel, J. A. Sethian, "Computing geodesic paths on manifolds", Proc. Natl.
  * Acad. Sci. 95, 1998; spherical fronts: M. Novotni, R. Klein, "Computing geodesic distances on

@@ -22,9 +22,9 @@
  * attempts. A loop through a point takes a search over the surface, AroundHandles up to 17 searches
  * along edges per component.
  *
- * <b>Errors</b>. Those of vtkGeodesicAlgorithm; a point cloud; no point, or fewer than three for a
- * rope; an id out of range; a point that is not finite or beyond ProjectionTolerance; edges with
- * more than two triangles with AroundHandles; a graph beyond MemoryLimit. The module page is
+ * <b>Errors</b>. All errors of vtkGeodesicAlgorithm; a point cloud; no point, or fewer than three
+ * for a rope; an id out of range; a point that is not finite or beyond ProjectionTolerance; edges
+ * with more than two triangles with AroundHandles; a graph beyond MemoryLimit. The module page is
  * Filters/Geodesic/Curves.md.
  *
  * <b>Source</b>. Straightening: see vtkDGGPath. Handles: J. Erickson, K. Whittlesey, "Greedy
@@ -85,7 +85,7 @@ public:
 
   ///@{
   /**
-   * Points anywhere on the surface: those of a vtkPolyData on input port 1. Null removes them.
+   * Points anywhere on the surface: the points of a vtkPolyData on input port 1. Null removes them.
    */
   void SetPointConnection(vtkAlgorithmOutput* output);
   void SetPointData(vtkPolyData* points);

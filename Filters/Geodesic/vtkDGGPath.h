@@ -21,10 +21,10 @@
  * threads of vtkSMPTools search pairs; from the 256th pair on, distances from 32 landmarks (68
  * bytes per point) accelerate searches.
  *
- * <b>Errors</b>. Those of vtkGeodesicAlgorithm; no pair; points on port 1 without lines; an id out
- * of range; a point that is not finite or beyond ProjectionTolerance; a graph beyond MemoryLimit;
- * Method Exact on a cloud, or an exact path through faces so narrow that rounding hides them. The
- * module page is Filters/Geodesic/Curves.md.
+ * <b>Errors</b>. All errors of vtkGeodesicAlgorithm; no pair; points on port 1 without lines; an id
+ * out of range; a point that is not finite or beyond ProjectionTolerance; a graph beyond
+ * MemoryLimit; Method Exact on a cloud, or an exact path through faces so narrow that rounding
+ * hides them. The module page is Filters/Geodesic/Curves.md.
  *
  * <b>Source</b>. D. T. Lee, F. P. Preparata, "Euclidean shortest paths in the presence of
  * rectilinear barriers", Networks 14, 1984; S.-Q. Xin, G.-J. Wang, "Efficiently determining a

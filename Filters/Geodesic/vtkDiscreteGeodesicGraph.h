@@ -24,8 +24,8 @@
  * up to rounding (1e-6) and GetMollification(). A directed edge takes 16 bytes; m is proportional
  * to 1 / sqrt(Accuracy). All threads of vtkSMPTools build the graph.
  *
- * <b>Errors</b>. Those of vtkGeodesicAlgorithm; a graph predicted to exceed MemoryLimit. The page
- * Filters/Geodesic/Distances.md has code, details of the arrays, rules and lifetime.
+ * <b>Errors</b>. All errors of vtkGeodesicAlgorithm; a graph predicted to exceed MemoryLimit. The
+ * page Filters/Geodesic/Distances.md has code, details of the arrays, rules and lifetime.
  *
  * <b>Source</b>. X. Wang et al., "Discrete geodesic graph (DGG) for computing geodesic distances on
  * polyhedral surfaces", CAGD 52-53, 2017; Z. Fang, "Discrete geodesic graphs", PhD thesis, Nanyang
@@ -111,7 +111,7 @@ public:
   /**
    * Predicts the memory of the graph from the edges of some points, after an update of the input.
    * Returns GetEstimatedMemory(); 0 after an error, an abort or, with a warning, for an empty
-   * input. Only an error changes GetErrorCode(). With several processes the prediction is that of
+   * input. Only an error changes GetErrorCode(). With several processes the prediction is for
    * the local piece; all processes must call the function.
    */
   vtkTypeUInt64 EstimateMemory();

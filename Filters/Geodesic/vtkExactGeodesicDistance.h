@@ -4,15 +4,15 @@
  * @class   vtkExactGeodesicDistance
  * @brief   exact distances along a triangulated surface
  *
- * <b>Input and output</b>. Those of vtkGeodesicDistanceAlgorithm, with windows on request.
+ * <b>Input and output</b>. Same as for vtkGeodesicDistanceAlgorithm, with windows on request.
  *
  * <b>Guarantee and cost</b>. Distances on the polyhedron that the triangles form, exact up to
  * rounding (relative errors around 1e-12). Windows of straight paths are propagated over the
  * triangles by one thread; time grows slightly faster than linearly with the number of points.
  * Windows take up to 5 KB per point during the update.
  *
- * <b>Errors</b>. Those of vtkGeodesicDistanceAlgorithm; windows beyond MemoryLimit. The module page
- * is Filters/Geodesic/Distances.md.
+ * <b>Errors</b>. All errors of vtkGeodesicDistanceAlgorithm; windows beyond MemoryLimit. The module
+ * page is Filters/Geodesic/Distances.md.
  * @code
  * vtkNew<vtkExactGeodesicDistance> distance;
  * distance->SetInputConnection(reader->GetOutputPort());

@@ -11,14 +11,14 @@
  *
  * <b>Arrays of new geometry</b>. `vtkOriginalPointIds`: id of the surface point at this position,
  * otherwise -1. `FaceId`: id of the cell that contains the point, -1 if there is none; on a
- * polyline, the cell of the segment after the point, at its last point that of the segment before.
- * `Barycentric` (3 components, if all polygons are triangles): coordinates with respect to the
- * corners of `FaceId`, 0 where that is -1. `ArcLength`: length of the polyline up to the point.
+ * polyline, the cell of the segment after the point, at the last point the cell of the segment
+ * before. `Barycentric` (3 components, if all polygons are triangles): coordinates with respect to
+ * the corners of `FaceId`, 0 where that is -1. `ArcLength`: length of the polyline up to the point.
  * Each segment lies in one triangle.
  *
  * <b>Graphs</b>. vtkDGGDistance, vtkDGGPath, vtkDGGLoop, vtkGeodesicSampler, vtkGeodesicVoronoi and
  * vtkGeodesicDistanceMatrix search the graph on the input. Without one they build a graph with
- * their Accuracy and keep it until the mesh or Accuracy changes. A damaged graph, or that of
+ * their Accuracy and keep it until the mesh or Accuracy changes. A damaged graph, or one of
  * another surface, is replaced with a warning. All but vtkDGGLoop also search graphs of
  * vtkPointCloudDGG: a missing, damaged or outdated graph is an error, cells are not used, the mesh
  * report is empty, and Accuracy and AcceptCoarserGraph have no effect.
@@ -80,8 +80,8 @@ public:
   /**
    * Precision of the points of new geometry, one of vtkAlgorithm::DesiredOutputPrecision. Default
    * DOUBLE_PRECISION: points lie on the surface up to 1e-9 of the size of their triangles.
-   * DEFAULT_PRECISION is that of the input. SINGLE_PRECISION is an error for coordinates beyond the
-   * range of floats.
+   * DEFAULT_PRECISION uses the precision of the input. SINGLE_PRECISION is an error for coordinates
+   * beyond the range of floats.
    */
   vtkSetClampMacro(OutputPointsPrecision, int, SINGLE_PRECISION, DEFAULT_PRECISION);
   vtkGetMacro(OutputPointsPrecision, int);

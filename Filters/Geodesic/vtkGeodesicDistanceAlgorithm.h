@@ -20,7 +20,7 @@
  *
  * <b>Guarantee and cost</b>. See the subclasses.
  *
- * <b>Errors</b>. Those of vtkGeodesicAlgorithm, no source, and
+ * <b>Errors</b>. All errors of vtkGeodesicAlgorithm, no source, and
  *  - a source id out of range; a source point that is not finite, or farther from the surface
  *    than ProjectionTolerance; initial distances that are not finite, or not one per point;
  *  - an array name that is empty or used twice.

@@ -5,8 +5,8 @@
  * @brief   distances along a surface between two sets of points
  *
  * <b>Input and output</b>. Rows are point ids (SetRowIds()) and the points of a vtkPolyData on
- * input port 1, projected to the surface; ids come first. Columns are those of SetColumnIds() and
- * port 2; without any they are the rows, and the matrix is symmetric. The graph is that on the
+ * input port 1, projected to the surface; ids come first. Columns are set by SetColumnIds() and
+ * port 2; without any they equal the rows, and the matrix is symmetric. The graph is taken from the
  * input or built by this filter, see vtkGeodesicAlgorithm. GetMatrix() has a tuple per row and a
  * component per column: the distance (double, units of the coordinates), UnreachedValue if not
  * connected. Between points of the mesh distances are a metric, unless Correction is on. The output
@@ -18,9 +18,9 @@
  * smaller set, on all threads of vtkSMPTools, with about 120 bytes per point of the mesh and
  * thread.
  *
- * <b>Errors</b>. Those of vtkGeodesicAlgorithm; no rows; an id out of range; a point that is not
- * finite or beyond ProjectionTolerance; columns with CompressedRows; a graph, matrix or compressed
- * rows beyond MemoryLimit. The module page is Filters/Geodesic/Distances.md.
+ * <b>Errors</b>. All errors of vtkGeodesicAlgorithm; no rows; an id out of range; a point that is
+ * not finite or beyond ProjectionTolerance; columns with CompressedRows; a graph, matrix or
+ * compressed rows beyond MemoryLimit. The module page is Filters/Geodesic/Distances.md.
  * @code
  * vtkNew<vtkGeodesicDistanceMatrix> matrix;
  * matrix->SetInputConnection(reader->GetOutputPort());
@@ -63,8 +63,8 @@ public:
 
   ///@{
   /**
-   * Points anywhere on the surface: those of a vtkPolyData on input port 1 (rows) or 2 (columns).
-   * Null removes them.
+   * Points anywhere on the surface: the points of a vtkPolyData on input port 1 (rows) or 2
+   * (columns). Null removes them.
    */
   void SetRowConnection(vtkAlgorithmOutput* output);
   void SetRowData(vtkPolyData* points);

@@ -9,7 +9,7 @@
  *
  * <b>Input and output</b>. Port 0 takes the first surface, port 1 the second, which may be mirrored
  * or inside out. Landmarks of the same index correspond: ids of points of each surface, then the
- * points of the optional ports 2 and 3. Port 4 takes the layout. Mesh reports are those of the
+ * points of the optional ports 2 and 3. Port 4 takes the layout. Mesh reports describe the
  * first surface. Outputs 0 and 1 are new geometry, the curves on either surface as polylines in the
  * same order and direction. Points of equal `ArcFraction` correspond.
  *  - Cell data: `LayoutEdge` (indices of two landmarks), `Length` (double).
@@ -21,15 +21,15 @@
  * to 0.3 of the edge length, where earlier curves and landmarks do not obstruct it; the total
  * length is not minimal. A curve takes about an exact distance field and two copies of its surface.
  *
- * <b>Errors</b>. Those of vtkGeodesicAlgorithm, for both surfaces; also missing inputs; different
- * numbers of landmarks; an id out of range; a landmark that is not finite or beyond
+ * <b>Errors</b>. All errors of vtkGeodesicAlgorithm, for both surfaces; also missing inputs;
+ * different numbers of landmarks; an id out of range; a landmark that is not finite or beyond
  * ProjectionTolerance; two landmarks at the same position, or unconnected although a curve joins
  * them; edges with more than two triangles; a surface that cannot be oriented; an invalid layout
  * (SetLayoutData()), or one that cannot be drawn, as around handles with few landmarks. The module
  * page is Filters/Geodesic/Curves.md.
  *
  * <b>Source</b>. E. Praun, W. Sweldens, P. Schroeder, "Consistent mesh parameterizations", SIGGRAPH
- * 2001: short curves first, those of a spanning tree before all others.
+ * 2001: short curves first, curves of a spanning tree before all others.
  * @sa vtkExactGeodesicDistance vtkDGGLoop
  */
 

@@ -4,7 +4,7 @@
  * @class   vtkGeodesicProbe
  * @brief   evaluates distances, given at the points of a surface, at any other surface points
  *
- * <b>Input and output</b>. Port 0 takes a surface with a point array of distances, that of
+ * <b>Input and output</b>. Port 0 takes a surface with a point array of distances, set by
  * SetInputArrayToProcess() or otherwise DistanceArrayName; port 1 a vtkPolyData whose points are
  * projected to the surface. The output is the input of port 1 plus a point array of the name of the
  * distances (double), NaN in triangles with an unreached corner. Windows and virtual sources that
@@ -16,9 +16,9 @@
  * CAD models, errors may be half of the largest distance. A warning recommends windows if
  * GetMeanAnisotropy() is above 2. There is one search in the surface per point.
  *
- * <b>Errors</b>. Those of vtkGeodesicAlgorithm; no points on port 1; a point that is not finite or
- * beyond ProjectionTolerance; no array of distances with one number per point. The module page is
- * Filters/Geodesic/Distances.md.
+ * <b>Errors</b>. All errors of vtkGeodesicAlgorithm; no points on port 1; a point that is not
+ * finite or beyond ProjectionTolerance; no array of distances with one number per point. The module
+ * page is Filters/Geodesic/Distances.md.
  * @code
  * distance->GenerateWindowsOn(); // a vtkExactGeodesicDistance
  * vtkNew<vtkGeodesicProbe> probe;
@@ -50,7 +50,7 @@ public:
 
   ///@{
   /**
-   * Points to evaluate: those of a vtkPolyData on input port 1.
+   * Points to evaluate: the points of a vtkPolyData on input port 1.
    */
   void SetProbeConnection(vtkAlgorithmOutput* output);
   void SetProbeData(vtkPolyData* points);

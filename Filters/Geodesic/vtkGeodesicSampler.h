@@ -24,9 +24,9 @@
  * others, if the rule of the graph has a guarantee. A thousand samples take about as long as twenty
  * distance fields.
  *
- * <b>Errors</b>. Those of vtkGeodesicAlgorithm; a FirstSample out of range; a point of port 1 that
- * is not finite or beyond ProjectionTolerance; a graph beyond MemoryLimit. More samples than exist,
- * or fewer than components, cause warnings. The module page is Filters/Geodesic/Curves.md.
+ * <b>Errors</b>. All errors of vtkGeodesicAlgorithm; a FirstSample out of range; a point of port 1
+ * that is not finite or beyond ProjectionTolerance; a graph beyond MemoryLimit. More samples than
+ * exist, or fewer than components, cause warnings. The module page is Filters/Geodesic/Curves.md.
  *
  * <b>Source</b>. G. Peyre, L. D. Cohen, "Geodesic remeshing using front propagation", Int. J.
  * Comput. Vis. 69(1), 2006, with distances in the graph of vtkDiscreteGeodesicGraph.

@@ -6,8 +6,8 @@
  *
  * <b>Input and output</b>. Sites are point ids and the points of the optional input port 1
  * (SetSiteConnection()), projected to the surface and numbered from 0, ids first. A site at the
- * position of an earlier one has no cell. The graph is that on the input or built by this filter,
- * see vtkGeodesicAlgorithm. Outputs 1 to 3 are new geometry.
+ * position of an earlier one has no cell. The graph is taken from the input or built by this
+ * filter, see vtkGeodesicAlgorithm. Outputs 1 to 3 are new geometry.
  *  - Output 0: the input with the point arrays `GeodesicSource` (int), the nearest site (the
  *    first of several), and `GeodesicDistance` (double), its distance; -1 and UnreachedValue if
  *    no site reaches the point. With Centroidal also the field array `Energy` (double), see
@@ -16,7 +16,7 @@
  *    components, the smaller first), point array `GeodesicDistance`.
  *  - Output 2 (GetCells()): the surface cut into polygons along the borders, without gaps. Cell
  *    arrays `SiteId` (int, -1 if unreached), `CellArea` (double; area of the cell of the site),
- *    `FaceId`; point array `GeodesicDistance`. The first points are those of the input.
+ *    `FaceId`; point array `GeodesicDistance`. The first points are the input points.
  *  - Output 3 (GetSites()): sites, after moves, with verts; point arrays `SiteId`, `CellArea`,
  *    `vtkOriginalPointIds` (-1 for a site that is no point of the input), `FaceId`, `Barycentric`.
  *
@@ -24,10 +24,10 @@
  *
  * <b>Guarantee and cost</b>. Distances at points of the input are within the accuracy of the graph,
  * if its rule has a guarantee. Borders are straight in each triangle, which is exact on flat parts;
- * those that pass a point within 1e-5 of an edge pass through it. If triangles are as large as
+ * borders that pass a point within 1e-5 of an edge pass through it. If triangles are as large as
  * cells, subdivide the surface first.
  *
- * <b>Errors</b>. The errors of vtkGeodesicAlgorithm; no site; an id out of range; a site that is
+ * <b>Errors</b>. All errors of vtkGeodesicAlgorithm; no site; an id out of range; a site that is
  * not finite or beyond ProjectionTolerance; an array name that is empty or used twice; a graph
  * beyond MemoryLimit. The module page is Filters/Geodesic/Curves.md.
  * @sa vtkGeodesicSampler vtkDGGDistance

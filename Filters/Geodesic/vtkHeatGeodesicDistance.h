@@ -7,17 +7,17 @@
  * Heat flows from the sources for a short time. The distance is the function whose gradient points
  * away from the heat everywhere. It is smoother than the exact distance.
  *
- * <b>Input and output</b>. Those of vtkGeodesicDistanceAlgorithm. The heat of a source with initial
- * distance o is proportional to exp(-o / sqrt(t)), where t is the time of the flow. MaximumDistance
- * saves no time.
+ * <b>Input and output</b>. Same as for vtkGeodesicDistanceAlgorithm. The heat of a source with
+ * initial distance o is proportional to exp(-o / sqrt(t)), where t is the time of the flow.
+ * MaximumDistance saves no time.
  *
  * <b>Guarantee and cost</b>. Errors have no bound: on fine meshes 0.5 to 2.2 % on average, next to
  * a source 20 to 70 %, more on long triangles (QualityWarning); see Filters/Geodesic/Distances.md.
  * Two sparse systems are factorized and kept until mesh or properties change; a query takes two
  * solves. A factorization cannot be aborted.
  *
- * <b>Errors</b>. Those of vtkGeodesicDistanceAlgorithm; factorizations beyond MemoryLimit, usually
- * 1 to 2 KiB per point; with Boundary Dirichlet, a source on the boundary.
+ * <b>Errors</b>. All errors of vtkGeodesicDistanceAlgorithm; factorizations beyond MemoryLimit,
+ * usually 1 to 2 KiB per point; with Boundary Dirichlet, a source on the boundary.
  * @code
  * vtkNew<vtkHeatGeodesicDistance> distance;
  * distance->SetInputConnection(reader->GetOutputPort());

@@ -7,7 +7,7 @@
  * Sources are unfolded from triangle to triangle; each triangle keeps one virtual source, each edge
  * with Quality High. For interaction, previews and large meshes.
  *
- * <b>Input and output</b>. Those of vtkGeodesicDistanceAlgorithm.
+ * <b>Input and output</b>. Same as for vtkGeodesicDistanceAlgorithm.
  *
  * <b>Guarantee and cost</b>. Up to rounding, no distance is longer than the shortest path along
  * mesh edges, for any number of sources. Errors have no other bound. Measured with 10 sources on
@@ -19,8 +19,8 @@
  * including initial distances; along strips of ten thousand triangles, rounding errors add up to
  * 1e-4 of it.
  *
- * <b>Errors</b>. Those of vtkGeodesicDistanceAlgorithm; initial distances that differ by more than
- * 1e30 mean edge lengths. The module page is Filters/Geodesic/Distances.md.
+ * <b>Errors</b>. All errors of vtkGeodesicDistanceAlgorithm; initial distances that differ by more
+ * than 1e30 mean edge lengths. The module page is Filters/Geodesic/Distances.md.
  * @code
  * vtkNew<vtkVirtualSourceGeodesicDistance> distance;
  * distance->SetInputConnection(reader->GetOutputPort());

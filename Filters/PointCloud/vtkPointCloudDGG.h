@@ -26,7 +26,7 @@
  * outliers are kept with a warning; copies of a point are joined by edges of near-zero length.
  * If all threads together would exceed MemoryLimit, fewer threads build the graph.
  *
- * <b>Errors</b>. Those of vtkGeodesicAlgorithm and of the module page,
+ * <b>Errors</b>. All errors of vtkGeodesicAlgorithm and of the module page,
  * Filters/PointCloud/README.md, such as a graph and band beyond MemoryLimit.
  *
  * <b>Source</b>. Z. Fang, "Discrete geodesic graphs", PhD thesis, Nanyang Technological University,
@@ -51,7 +51,7 @@ public:
 
   /**
    * Reach of the edges of a point. The spacing is the square root of the area per point. A and B
-   * are those of Fang's thesis with other defaults: see the module page.
+   * follow Fang's thesis with other defaults: see the module page.
    */
   enum SchemeType
   {
@@ -112,7 +112,7 @@ public:
 
   ///@{
   /**
-   * If on, lengths of edges are those of arcs that fit the normals; if off, those of straight
+   * If on, lengths of edges are lengths of arcs that fit the normals; if off, of straight
    * lines, which are too short. Default on.
    */
   vtkSetMacro(ArcLengthWeights, bool);
@@ -123,7 +123,7 @@ public:
   ///@{
   /**
    * If on, point normals of the input are used. If off, or where normals are 0 or not finite,
-   * normals are estimated from the points. Turn off for coarse normals, such as those of flat
+   * normals are estimated from the points. Turn off for coarse normals, such as normals of flat
    * facets. Default on.
    */
   vtkSetMacro(UseInputNormals, bool);
@@ -164,7 +164,7 @@ public:
   ///@{
   /**
    * If on, an output without cells gets one vertex cell with all points, which makes them visible
-   * and takes 8 bytes per point, as in vtkPointCloudFilter. Default off: cells are those of the
+   * and takes 8 bytes per point, as in vtkPointCloudFilter. Default off: cells are passed from the
    * input.
    */
   vtkSetMacro(GenerateVertices, bool);
@@ -182,7 +182,7 @@ public:
   /**
    * Predicts the memory of the graph from the edges of some points, after an update of the input.
    * Returns GetEstimatedMemory(); 0 after an error, an abort or, with a warning, for an empty
-   * input. Only an error changes GetErrorCode(). With several processes the prediction is that of
+   * input. Only an error changes GetErrorCode(). With several processes the prediction is for
    * the local piece; all processes must call the function.
    */
   vtkTypeUInt64 EstimateMemory();

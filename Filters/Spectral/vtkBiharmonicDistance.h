@@ -7,15 +7,15 @@
  * With eigenvalues lambda_i and eigenfunctions v_i of the Laplacian, the squared distance of x and
  * y is the sum of (v_i(x) - v_i(y))^2 times a weight, see Kind.
  *
- * <b>Input and output</b>. Those of vtkSpectralAlgorithm. The result is `BiharmonicDistance` for
+ * <b>Input and output</b>. Same as for vtkSpectralAlgorithm. The result is `BiharmonicDistance` for
  * all kinds, one component per source. Functions are linear in faces. Points of another component
  * than the source get UnreachedValue. With Dirichlet conditions functions are 0 on the boundary.
  *
  * <b>Guarantee and cost</b>. All kinds are metrics, but not lengths of paths. Distances in a
  * component do not depend on other components. See Method for accuracy and cost.
  *
- * <b>Errors</b>. Those of vtkSpectralAlgorithm; Kind Diffusion with Method Exact. The module page
- * is Filters/Spectral/README.md.
+ * <b>Errors</b>. All errors of vtkSpectralAlgorithm; Kind Diffusion with Method Exact. The module
+ * page is Filters/Spectral/README.md.
  *
  * @code
  * vtkNew<vtkBiharmonicDistance> distance;

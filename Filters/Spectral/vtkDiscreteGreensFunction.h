@@ -8,7 +8,7 @@
  * the source and out evenly. Close to x it grows like -log(d) / (2 pi), where d is the distance
  * from x. The solution of -Laplace u = f is u(x) = mean(u) + the integral of g f.
  *
- * <b>Input and output</b>. Those of vtkSpectralAlgorithm; the result is `GreensFunction`, one
+ * <b>Input and output</b>. Same as for vtkSpectralAlgorithm; the result is `GreensFunction`, one
  * component per source, without a unit and independent of scale (an area with Order BiLaplace). It
  * is the function of the component of its source, with mean 0, and 0 in other components. With
  * Dirichlet conditions there is no term 1 / area, and g is 0 on the boundary (with BiLaplace also
@@ -18,8 +18,8 @@
  * solve for eight functions at a time. SingularitySubtraction also takes a local exact distance
  * field, BiLaplace one more solve.
  *
- * <b>Errors</b>. Those of vtkSpectralAlgorithm; with Dirichlet conditions, a source on the boundary
- * or in a component without one.
+ * <b>Errors</b>. All errors of vtkSpectralAlgorithm; with Dirichlet conditions, a source on the
+ * boundary or in a component without one.
  * @code
  * greens->SetSourceIds({ 0, 1000 });
  * greens->SetSourceData(points); // anywhere on the surface

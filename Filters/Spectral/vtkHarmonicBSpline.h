@@ -4,8 +4,8 @@
  * @class   vtkHarmonicBSpline
  * @brief   smooth basis functions of sites on a surface; interpolation; Poisson equations
  *
- * <b>Input and output</b>. Those of vtkSpectralAlgorithm, whose sources are the sites. Without any,
- * NumberOfSites sites are selected. Point arrays:
+ * <b>Input and output</b>. Same as for vtkSpectralAlgorithm, whose sources are the sites. Without
+ * any, NumberOfSites sites are selected. Point arrays:
  *  - `HarmonicBSpline` (double, one component per site, without a unit), with GenerateBasis;
  *  - `Cell` (vtkIdType), with Order Harmonic: the site of each point, or of the corner closest to
  *    an evaluation point; -1 without a polygon, or on a Dirichlet boundary;
@@ -21,11 +21,11 @@
  * the basis, and a dense matrix of the sites: suitable for some thousand sites. Memory is 8 bytes
  * per point and site for a basis, and 32 bytes per pair of sites for the matrix.
  *
- * <b>Errors</b>. Those of vtkSpectralAlgorithm and of the module page, Filters/Spectral/README.md;
- * two sites at the same point; a component without a site; with Order Biharmonic, more sites than
- * corners of the triangles that contain them; array names that are empty or equal; a site on a
- * Dirichlet boundary; equations of cells that cannot be solved to 1e-8, values of sites that cannot
- * be met to 1e-9 of their differences.
+ * <b>Errors</b>. All errors of vtkSpectralAlgorithm and of the module page,
+ * Filters/Spectral/README.md; two sites at the same point; a component without a site; with Order
+ * Biharmonic, more sites than corners of the triangles that contain them; array names that are
+ * empty or equal; a site on a Dirichlet boundary; equations of cells that cannot be solved to 1e-8,
+ * values of sites that cannot be met to 1e-9 of their differences.
  *
  * <b>Source</b>. P. Feng, J. Warren, "Discrete bi-Laplacians and biharmonic b-splines", ACM Trans.
  * Graph. 31(4), 2012, whose biharmonic functions span the same space; Z. Fang, "Discrete geodesic
@@ -138,8 +138,8 @@ public:
    * are ignored. Default none; null and "" mean none. The array `Interpolation` has these values at
    * the sites up to 1e-9 of their differences, and reproduces constants. With Order Biharmonic,
    * errors are of fourth order in the distance of sites for smooth functions, and values may exceed
-   * those of sites; with Order Harmonic they are of second order, with bumps at sites. Nothing
-   * flows through a Neumann boundary, so that slopes flatten close to it.
+   * the values at sites; with Order Harmonic errors are of second order, with bumps at sites.
+   * Nothing flows through a Neumann boundary, so that slopes flatten close to it.
    */
   vtkDGGStringMacro(SiteValuesArrayName);
   ///@}

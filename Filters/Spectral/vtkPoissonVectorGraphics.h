@@ -14,7 +14,7 @@
  * whose points exist once per side. Point arrays: `Colors` (double, one component per channel);
  * with three or more channels `RGB` (unsigned char, clamped), the active scalars; `Component`
  * (vtkIdType), a tuple of NetSource; arrays of the input except ids, interpolated. Cell arrays are
- * those of the input. Verts and lines are removed. Points that no polygon uses have
+ * passed from the input. Verts and lines are removed. Points that no polygon uses have
  * BackgroundColor. Field array `NetSource` (double): for each component, cut along diffusion
  * curves, the sum of sources that no diffusion curve absorbs, which is subtracted evenly.
  *
@@ -23,9 +23,9 @@
  * diffusion curve with two colors. A round flat region changes nothing outside, others a little.
  * There is one factorization, kept for other colors; memory is about 2 KiB per point of the output.
  *
- * <b>Errors</b>. Those of vtkGeodesicAlgorithm; neither a line nor a region; a line with fewer than
- * two different points; mesh, factorization, colors or fragments beyond MemoryLimit. The module
- * page, Filters/Spectral/README.md, lists errors of curves and arrays.
+ * <b>Errors</b>. All errors of vtkGeodesicAlgorithm; neither a line nor a region; a line with fewer
+ * than two different points; mesh, factorization, colors or fragments beyond MemoryLimit. The
+ * module page, Filters/Spectral/README.md, lists errors of curves and arrays.
  *
  * <b>Source</b>. F. Hou et al., "Poisson vector graphics (PVG)", IEEE Trans. Vis. Comput. Graph.
  * 26(2), 2020 (refinement replaces its evaluation by Green's identity); A. Orzan et al., "Diffusion
@@ -97,7 +97,8 @@ public:
   ///@{
   /**
    * Cell arrays of the surface. Cells with the same number other than 0 in the first array form a
-   * region; its strength is that of its first cell in the second array. Defaults: none (null or
+   * region; the second array contains the strength of the region at the region's first cell.
+   * Defaults: none (null or
    * ""), and `RegionStrength`.
    */
   vtkDGGStringMacro(RegionArrayName);

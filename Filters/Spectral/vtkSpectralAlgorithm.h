@@ -17,7 +17,7 @@
  * through edges or shared points, are independent of each other. An update can be aborted between
  * the steps of the work; the factorization is one step.
  *
- * <b>Errors</b>. Those of vtkGeodesicAlgorithm, and
+ * <b>Errors</b>. All errors of vtkGeodesicAlgorithm, and
  *  - no source, unless the filter selects sources; a source id out of range, or of a point that
  *    no polygon uses; a source or evaluation point that is not finite or beyond
  *    ProjectionTolerance;
@@ -73,8 +73,8 @@ public:
 
   ///@{
   /**
-   * Further surface points at which values are evaluated: those of a vtkPolyData on input port 2.
-   * Null removes them.
+   * Further surface points at which values are evaluated: the points of a vtkPolyData on input
+   * port 2. Null removes them.
    */
   void SetEvaluationConnection(vtkAlgorithmOutput* output);
   void SetEvaluationData(vtkPolyData* points);

@@ -19,13 +19,14 @@
  *  - `EarthMoversFlow` (double, 3 components), a cell array and the active vectors: mass per
  *    length, constant in each triangle, means in larger polygons. Not with IntrinsicDelaunay.
  *
- * <b>Guarantee and cost</b>. Cost and lower bound are those of flows that are constant in each
+ * <b>Guarantee and cost</b>. Cost and lower bound refer to flows that are constant in each
  * triangle. They differ by at most Tolerance, or a warning reports that MaximumNumberOfIterations
  * was reached. An interior point method takes 7 to 50 iterations on most meshes, each with a
- * factorization as large as that of a Poisson equation; an update can be aborted between them.
+ * factorization as large as for a Poisson equation; an update can be aborted between iterations.
  *
- * <b>Errors</b>. Those of vtkGeodesicAlgorithm and of the module page, Filters/Spectral/README.md;
- * an empty distribution; an array that is missing or has negative or not finite values.
+ * <b>Errors</b>. All errors of vtkGeodesicAlgorithm and of the module page,
+ * Filters/Spectral/README.md; an empty distribution; an array that is missing or has negative or
+ * not finite values.
  *
  * <b>Source</b>. J. Solomon, R. Rustamov, L. Guibas, A. Butscher, "Earth mover's distances on
  * discrete surfaces", ACM Trans. Graph. 33(4), 2014, section 4; the divergence-free part of the

@@ -20,8 +20,8 @@ struct CurveChain
   /// The vertices of the curve; consecutive vertices are neighbors. A closed curve repeats its
   /// first vertex at the end, unless it degenerates to one point: then there is one vertex.
   std::vector<Id> Vertices;
-  /// Per vertex, its parameter as in SurfaceCurve::Parameters; non-decreasing. Where consecutive
-  /// given points coincide, that of the first.
+  /// Per vertex, its parameter as in SurfaceCurve::Parameters; non-decreasing. Coincident
+  /// consecutive given points have the parameter of the first.
   std::vector<double> Parameters;
   /// Per given point, its index in Vertices.
   std::vector<Offset> GivenPoints;

@@ -20,8 +20,8 @@ struct PathPiece
   std::size_t Number = 0; ///< index among the segments of the path
 };
 
-/// Splits the segments in a face, those with the indices `places`, at nodes on them and at
-/// crossings, which adds nodes. Fails if segments cross and crossings must not be inserted.
+/// Splits segments in a face at nodes on them and at crossings, which adds nodes. `places` are the
+/// indices of the segments. Fails if segments cross and crossings must not be inserted.
 Status SplitPieces(PathNodes& nodes, std::vector<PathPiece>& pieces, bool insertCrossings, Id face,
   const std::vector<std::size_t>& places, const ProgressCallback& progress);
 }

@@ -19,10 +19,10 @@ enum class PinchedVertices
   Split ///< one copy for each fan, as if a chain passed
 };
 
-/// Cuts a surface open along chains of vertices, such as SubMesh::Paths. The faces of the result
-/// are those of the surface, in the same order. A vertex of a chain has one copy for each sector of
-/// faces that the chains leave around it. The first copy has the id of the vertex, further copies
-/// follow after all vertices. Fails if two consecutive vertices are not neighbors.
+/// Cuts a surface open along chains of vertices, such as SubMesh::Paths. The result
+/// has the faces of the surface, in the same order. A vertex of a chain has one copy for each
+/// sector of faces that the chains leave around it. The first copy has the id of the vertex,
+/// further copies follow after all vertices. Fails if two consecutive vertices are not neighbors.
 DGG_CORE_EXPORT Status CutAlongChains(const SubMesh& surface,
   const std::vector<std::vector<Id>>& chains, SubMesh& cut,
   PinchedVertices pinched = PinchedVertices::Stay);
@@ -57,8 +57,8 @@ struct CurveCut
 /// faces that touches a path in a single point gets a copy of its own there. A path of a single
 /// edge inside the surface has no vertex with two copies; split the edge to get one.
 ///
-/// Faces keep the orientation of the mesh, which is consistent where possible, so that left and
-/// right are those of the first face of a component. Fails if an edge at a vertex of a path has
+/// Faces keep the orientation of the mesh, which is consistent where possible, so that the
+/// first face of a component determines left and right. Fails if an edge at a vertex of a path has
 /// more than two faces, or two of opposite orientation, as on one-sided surfaces, because sides are
 /// undefined there.
 DGG_CORE_EXPORT Status CutAlongCurves(

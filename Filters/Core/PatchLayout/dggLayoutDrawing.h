@@ -42,7 +42,7 @@ public:
   /// unknown, anywhere, and the order is updated.
   Status Draw(Id edge, std::vector<EdgeOrder>& orders, const ProgressCallback& progress);
 
-  /// Finds all sectors, and the Euler characteristic of each part; that of a disk is 1.
+  /// Finds all sectors, and the Euler characteristic of each part; a disk has 1.
   void FindParts(std::vector<LayoutSector>& sectors, std::vector<Id>& characteristics) const;
 
   std::vector<SurfacePath>& GetCurves() { return this->Curves; }

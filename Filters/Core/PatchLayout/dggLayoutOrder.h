@@ -72,7 +72,7 @@ struct DrawnSurface
   SurfaceMesh OpenedMesh;
 };
 
-/// Returns all sectors, without setting Part. `edges` are those of the layout, by their landmarks.
+/// Returns all sectors, without setting Part. `edges` are the layout edges, by their landmarks.
 std::vector<LayoutSector> FindSectors(
   const DrawnSurface& surface, const std::vector<std::array<Id, 2>>& edges);
 

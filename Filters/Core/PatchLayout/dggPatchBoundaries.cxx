@@ -214,8 +214,8 @@ Status BoundaryTracer::Try(const Senses& senses)
   return this->CompareParts();
 }
 
-/// Returns the edges in order of length, but those of a spanning tree first (Kruskal 1956), where
-/// each boundary loop counts as connected already.
+/// Returns the edges in order of length, but the edges of a spanning tree first (Kruskal 1956). For
+/// the tree, each boundary loop counts as connected already.
 std::vector<Id> BoundaryTracer::FindSequence() const
 {
   std::vector<double> lengths(this->Order.GetEdges().size(), 0.0);

@@ -47,12 +47,12 @@ struct PatchBoundaries
 
 /// Draws a layout on two surfaces such that the curves correspond: they do not cross or touch, they
 /// leave each landmark in the same order, and they divide both surfaces alike, so that each patch
-/// is a disk on both. The approach is that of Praun, Sweldens and Schroeder, "Consistent mesh
-/// parameterizations", 2001: curves are traced one by one, short ones first, those of a spanning
-/// tree before all others, so that nothing is separated too early, and each starts and ends in the
-/// sector of its landmarks that the order requires. Here they are exact shortest paths on the
-/// surface cut open along the existing curves; a path that would touch one of these is traced again
-/// at a small distance from them.
+/// is a disk on both. The approach follows Praun, Sweldens and Schroeder, "Consistent mesh
+/// parameterizations", 2001: curves are traced one by one, short ones first, the curves of a
+/// spanning tree before all others, so that nothing is separated too early, and each starts and
+/// ends in the sector of its landmarks that the order requires. Here they are exact shortest paths
+/// on the surface cut open along the existing curves; a path that would touch one of these is
+/// traced again at a small distance from them.
 ///
 /// The order of the curves around a landmark is that of the patches, if they determine it;
 /// otherwise it is found on the first surface and imposed on the second one. A surface may be a

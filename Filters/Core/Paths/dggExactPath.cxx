@@ -33,7 +33,7 @@ constexpr double VertexTolerance = 1e-13;
 /// Tolerance by which a crossing may lie beyond the end of its edge. Windows extend farther beyond
 /// their ends (SeenTolerance), but paths bend there.
 constexpr double CrossingTolerance = 1e-8;
-/// Directions this close to that of an apex, as a sine, may pass on either side.
+/// Sine of the angle from the direction of an apex within which a path may pass on either side.
 constexpr double ApexTolerance = 1e-9;
 /// Rounding error of the position of an image, relative to its distance; relevant for very short
 /// edges.
@@ -89,7 +89,7 @@ void ForEachFaceOf(const SurfaceMesh& mesh, const SurfacePoint& point, Visitor&&
 class WindowTracer
 {
 public:
-  /// `result` must be that of a run from one source with initial distance 0.
+  /// `result` must come from a run from one source with initial distance 0.
   WindowTracer(const SurfaceMesh& mesh, const SurfacePoint& source, const ExactResult& result)
     : Mesh(mesh)
     , Source(source)

@@ -59,8 +59,8 @@ public:
   PathFinder(const PathFinder&) = delete;
   PathFinder& operator=(const PathFinder&) = delete;
 
-  /// Finds a path from one point to another, traced on the surface. Its length is at most that of
-  /// the graph path. Fails if a point does not exist; points that are not connected are not a
+  /// Finds a path from one point to another, traced on the surface, at most as long as the
+  /// graph path. Fails if a point does not exist; points that are not connected are not a
   /// failure.
   Status Find(const SurfacePoint& from, const SurfacePoint& to, const PathOptions& options,
     FoundPath& found) const;

@@ -126,7 +126,7 @@ double GraphEdgeTracer::AngleFrom(const GraphEdge& edge, Id g, double halfWidth)
   return std::numeric_limits<double>::quiet_NaN();
 }
 
-/// Traces through the face of the outgoing half-edge g, whose frame becomes that of the plane.
+/// Traces through the face of the outgoing half-edge g, whose frame becomes the frame of the plane.
 bool GraphEdgeTracer::TraceFrom(const GraphEdge& edge, Id g, double angle, double halfWidth)
 {
   this->Beams.clear();

@@ -20,7 +20,7 @@ struct EdgeCrossing
   Id Entry; ///< half-edge of the face that is entered
 };
 
-/// Faces from that of the start point to that of the end point; consecutive faces share an edge. No
+/// Faces from the start point to the end point; consecutive faces share an edge. No
 /// face is left through the edge by which it was entered, and the end points do not lie on the
 /// adjacent crossed edges (see Tidy()).
 struct Strip

@@ -12,8 +12,8 @@ namespace dgg
 {
 namespace
 {
-/// Returns the position of a point in the frame of half-edge h or, if `mirrored`, in that of the
-/// reversed edge.
+/// Returns the position of a point in the frame of half-edge h or, if `mirrored`, in the frame
+/// of the reversed edge.
 Point2 Place(const SurfaceMesh& mesh, const SurfacePoint& point, Id h, bool mirrored)
 {
   std::array<double, 3> barycentric{ { 1.0, 0.0, 0.0 } };

@@ -45,15 +45,15 @@ DGG_CORE_EXPORT Id FindFaceOf(const SurfaceMesh& mesh, const SurfacePoint& point
 DGG_CORE_EXPORT double MeasurePiece(
   const SurfaceMesh& mesh, const SurfacePath& path, std::size_t piece);
 
-/// Fails if a segment of the path does not lie in its face, or the length differs from that of the
-/// segments by more than 1e-9 (relative).
+/// Fails if a segment of the path does not lie in its face, or the length differs from the sum of
+/// the segments by more than 1e-9 (relative).
 DGG_CORE_EXPORT Status CheckPath(const SurfaceMesh& mesh, const SurfacePath& path);
 
 /// Fails if a face contains a vertex twice, as SurfaceMesh::FromGluedLengths() allows: a point at
 /// that vertex would have two positions in the face, and paths require a unique one.
 DGG_CORE_EXPORT Status CheckCorners(const SurfaceMesh& mesh);
 
-/// Returns the position in space, given those of the vertices (x y z each).
+/// Returns the position in space, given the vertex positions (x y z each).
 DGG_CORE_EXPORT std::array<double, 3> PositionOf(
   const SurfaceMesh& mesh, const SurfacePoint& point, const double* positions);
 }

@@ -47,8 +47,8 @@ public:
 
   const PoissonOptions& GetOptions() const { return this->Options; }
   const SurfaceMesh& GetMesh() const { return this->Mesh; }
-  /// Returns the triangles of the elements; without flips, those of the mesh in the same order,
-  /// without dropped faces.
+  /// Returns the triangles of the elements. Without flips, these are the triangles of the mesh in
+  /// the same order, without dropped faces.
   const IntrinsicTriangulation& GetTriangulation() const { return this->Triangulation; }
   std::array<double, 3> GetCotangents(Id face) const;
   /// Returns the triangle of a face of the mesh, if no edge is flipped; NoId for a dropped face.

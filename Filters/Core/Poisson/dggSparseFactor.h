@@ -68,11 +68,11 @@ public:
   Status Compute(const EliminationOrder& order, const Eigen::SparseMatrix<double>& matrix,
     const std::vector<std::uint8_t>& isKnown = {}, const ProgressCallback& progress = {});
   bool IsComputed() const { return this->Computed; }
-  /// Returns true if the diagonal was increased, so that solutions are those of a slightly
+  /// Returns true if the diagonal was increased, so that solutions belong to a slightly
   /// perturbed system.
   bool IsRaised() const { return this->Raised; }
-  /// Returns the number of negative pivots, which equals that of negative eigenvalues (Sylvester's
-  /// law of inertia).
+  /// Returns the number of negative pivots, which equals the number of negative eigenvalues
+  /// (Sylvester's law of inertia).
   Id CountNegative() const;
   void Clear();
 

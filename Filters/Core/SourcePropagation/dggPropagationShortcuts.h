@@ -32,8 +32,8 @@ inline PropagationShortcut WayAlongEdge(
   return { face.Corners[to], start + length, { 0.0F, 0.0F, start, 3 * f + from, NoId } };
 }
 
-/// Relaxes all mesh edges up to the radius: no distance exceeds that of a neighbor plus the edge
-/// length, up to rounding. Appends the resulting paths.
+/// Relaxes all mesh edges up to the radius: no distance exceeds the distance of a neighbor plus
+/// the edge length, up to rounding. Appends the resulting paths.
 void TakeWaysAlongEdges(const SurfaceMesh& mesh, const PropagationFaces& faces, float radius,
   const ParallelFor& parallel, std::atomic<float>* distances,
   std::vector<PropagationShortcut>& shortcuts);

@@ -174,7 +174,7 @@ private:
     return false;
   }
 
-  /// Processes own chunks, then those of other members. Returns true if there were any.
+  /// Processes own chunks, then chunks of other members. Returns true if any chunk was processed.
   bool Work(int self)
   {
     bool hasWorked = false;

@@ -38,7 +38,7 @@ struct PropagationResult
   std::vector<double> Distances; ///< per vertex; Infinity where unreached
   /// Per vertex, index into the sources; NoId where unreached. Empty unless requested.
   std::vector<Id> NearestSource;
-  /// As in SearchResult. Empty unless requested.
+  /// Virtual sources, see SearchResult. Empty unless requested.
   VirtualSources Virtual;
   /// False if the search ended before distances settled. The distances are then lengths of paths,
   /// but may be far too long.

@@ -26,8 +26,9 @@ constexpr double LongStep = 0.7;
 constexpr double ShortStep = 0.5;
 /// Fraction of the step to a slope of 1 that is taken.
 constexpr double StepMargin = 0.8;
-/// Triangles with a larger cotangent are nearly degenerate. Those that PoissonSystem uses unchanged
-/// have smaller ones: enlarging them would increase the cost of flow through them.
+/// Triangles with a larger cotangent are nearly degenerate. Triangles that PoissonSystem uses
+/// unchanged have smaller cotangents: enlarging these triangles would increase the cost of flow
+/// through them.
 constexpr double MostCotangent = 1e7;
 /// Slope of the first potential.
 constexpr double FirstSlope = 0.9;
@@ -170,8 +171,8 @@ private:
   std::vector<Face> Faces;
 };
 
-/// The stiffness matrix with a tensor per element, which changes in each step. The pattern and the
-/// elimination order are those of the system.
+/// The stiffness matrix with a tensor per element, which changes in each step. The system
+/// provides the pattern and the elimination order.
 class StepMatrix
 {
 public:

@@ -61,9 +61,9 @@ public:
     return first;
   }
 
-  /// Computes the Green's functions of all sites at all sites, with loads that are linear in faces:
-  /// symmetric. Those of single sites, whose function is 1, are skipped: such sites may lie where
-  /// triangles are too thin.
+  /// Computes the Green's functions of all sites at all sites, with loads that are linear in faces.
+  /// The matrix is symmetric. Single sites, whose function is 1, are skipped: such sites may lie
+  /// where triangles are too thin.
   Status FindGreens(const std::vector<SurfacePoint>& sites, const std::vector<Id>& first,
     const ParallelFor& parallel, const ProgressCallback& progress, Eigen::MatrixXd& greens) const
   {
@@ -126,7 +126,7 @@ public:
   }
 
   /// Returns the matrix of the functions at the sites: 1 for first sites, for others the Green's
-  /// function minus that of the first site.
+  /// function minus the Green's function of the first site.
   Eigen::MatrixXd MakeMatrix(const std::vector<SurfacePoint>& sites, const std::vector<Id>& first,
     const Eigen::MatrixXd& greens) const
   {

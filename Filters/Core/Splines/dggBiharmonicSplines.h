@@ -23,11 +23,11 @@ namespace dgg
 /// with one constant and one side condition per component without given values. In components with
 /// given values there is neither, and u is 0 at given values. Among all functions with the same
 /// values at the sites, u minimizes the integral of (Laplace u)^2, discretely u^T L M^-1 L u, as
-/// cubic splines on a line minimize that of u''^2. With Neumann conditions, neither u nor Laplace u
-/// has flux through the boundary, so that only constants are reproduced: where values follow a
-/// slope, u flattens within about one site spacing from the boundary (P. Feng, J. Warren, "Discrete
-/// bi-Laplacians and biharmonic b-splines", 2012, whose functions span the same space; G. Wahba,
-/// "Spline interpolation and smoothing on the sphere", 1981).
+/// cubic splines on a line minimize the integral of u''^2. With Neumann conditions, neither u nor
+/// Laplace u has flux through the boundary, so that only constants are reproduced: where values
+/// follow a slope, u flattens within about one site spacing from the boundary (P. Feng, J. Warren,
+/// "Discrete bi-Laplacians and biharmonic b-splines", 2012, whose functions span the same space; G.
+/// Wahba, "Spline interpolation and smoothing on the sphere", 1981).
 class DGG_CORE_EXPORT BiharmonicSplines
 {
 public:

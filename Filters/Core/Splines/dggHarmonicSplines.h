@@ -70,7 +70,7 @@ public:
     const ParallelFor& parallel, const ProgressCallback& progress, const Consumer& consume) const;
 
   /// Computes psi_j(x) at any points, by one Green's function per point: values[k * sites + j] is
-  /// that of site j at point k. With GreensMethod::SingularitySubtraction, means over cells around
+  /// psi_j at point k. With GreensMethod::SingularitySubtraction, means over cells around
   /// x use the logarithm itself, so that functions are smooth across edges. If cells are single
   /// vertices, this makes a difference: psi is about 0.32 at its site and 0.11 at the neighbors. (A
   /// Green's function without means, and thus psi, would be infinite at vertices.) With
@@ -79,7 +79,7 @@ public:
     const ParallelFor& parallel, const ProgressCallback& progress,
     std::vector<double>& values) const;
 
-  /// Computes the coefficients lambda of a solution. `rightHandSide` is that of
+  /// Computes the coefficients lambda of a solution. `rightHandSide` is as in
   /// PoissonSolver::Solve(): per vertex, integrated sources, or given values. The coefficients of
   /// the sites in `given` are read from `coefficients`; the others are computed. In components
   /// where nothing is given, sources are balanced and the mean of lambda is 0. Fails if the

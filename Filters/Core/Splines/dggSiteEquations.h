@@ -33,7 +33,7 @@ public:
 
   /// Computes the functions that interpolate each column of values, eight at a time, with iterative
   /// refinement. Constants are reproduced exactly. Fails if values are not finite, their number
-  /// differs from that of the sites, or a residual of 1e-9 of their range remains.
+  /// differs from the number of sites, or a residual of 1e-9 of their range remains.
   Status Solve(const std::vector<std::vector<double>>& siteValues, const Combine& combine,
     const ParallelFor& parallel, const ProgressCallback& progress,
     std::vector<std::vector<double>>& functions) const;

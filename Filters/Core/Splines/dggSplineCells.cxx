@@ -54,7 +54,7 @@ public:
   }
 
   /// Computes the radius of distances needed from each site: up to the vertices adjacent to its
-  /// cell and the sites of these. `distances` are those of the nearest sites.
+  /// cell and the sites of these vertices. `distances` are from the nearest sites.
   void FindRadii(const std::vector<double>& distances)
   {
     const IntrinsicTriangulation& triangulation = this->System.GetTriangulation();
@@ -373,7 +373,7 @@ bool SolveSiteEquations(const PoissonSystem& system, const SplineCells& cells,
     isKnown[i] = isKnown[i] || (isFloating[c] && !isPinned[c]) ? 1 : 0;
     isPinned[c] = 1;
   }
-  // Rows and columns of known values are replaced by those of the identity.
+  // Replace rows and columns of known values by rows and columns of the identity.
   Eigen::SparseMatrix<double> matrix = cells.Stiffness;
   for (int column = 0; column < matrix.cols(); ++column)
   {

@@ -25,8 +25,8 @@ public:
   {
   }
 
-  /// A block has done that part of it. False when all blocks are to stop. `reported` is what this
-  /// block has reported before, at first 0.
+  /// Reports the completed fraction `done` of a block. Returns false if all blocks must stop.
+  /// `reported` is the fraction that the block has reported so far, initially 0; it is updated.
   bool Report(double done, double& reported)
   {
     double sum = this->Sum;

@@ -85,7 +85,7 @@ public:
   /// Diagonal of the bounding box of the finite points without outliers.
   double GetDiagonal() const override { return this->Frame.GetDiagonal(); }
 
-  /// Positions no farther away than the reach of the closest point are close as well.
+  /// Returns true if the distance is at most `farthest` or the reach of the closest point.
   bool IsClose(const SurfacePoint& closest, double distance, double farthest) const override
   {
     return distance <= farthest || distance <= this->GetReach(closest);

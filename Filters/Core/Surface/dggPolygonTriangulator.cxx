@@ -144,7 +144,7 @@ private:
       Difference(this->Points[b], this->Points[a]), Difference(this->Points[c], this->Points[a]));
   }
 
-  /// Returns true if the boundary makes one counterclockwise turn, as that of every simple polygon.
+  /// Returns true if the boundary makes one counterclockwise turn, as for every simple polygon.
   bool TurnsOnce() const
   {
     double sum = 0.0;
@@ -196,8 +196,8 @@ private:
     this->ReflexTree = BoxTree(boxes);
   }
 
-  /// Returns true if no other corner is in the triangle of a corner. Those at the same point as one
-  /// of its own do not count: bridges to holes pass there twice.
+  /// Returns true if no other corner is in the triangle of a corner. Corners at the same point as
+  /// a corner of the triangle do not count: bridges to holes pass such points twice.
   bool IsEmpty(Id i) const
   {
     const auto [a, c] = this->Links[i];

@@ -19,7 +19,7 @@ struct TaskContext;
 /// Sets the options that depend on the threads of the context.
 DGG_CORE_EXPORT void UseThreads(const TaskContext& context, GraphOptions& options);
 
-/// Builds a graph of the surface, which is that of `builder`. Fails before it starts if the graph
+/// Builds a graph of the surface of `builder`. Fails before the construction if the graph
 /// would take more memory than the limit. `estimate` is the predicted memory.
 DGG_CORE_EXPORT Status BuildGraph(const TaskContext& context, const GraphBuilder& builder,
   GraphOptions options, GeodesicGraph& graph, GraphEstimate& estimate);

@@ -19,8 +19,8 @@ struct TaskContext;
 DGG_CORE_EXPORT PatchLayout ReadPatchLayout(const CellArrays& polygons, const CellArrays& lines);
 
 /// Writes the curves on one of the two surfaces, with the cell arrays `LayoutEdge` (the landmarks
-/// that are joined) and `Length` and the point array `ArcFraction`. The context is that of the
-/// surface.
+/// that are joined) and `Length` and the point array `ArcFraction`. The context belongs to
+/// this surface.
 DGG_CORE_EXPORT void WritePatchBoundaries(
   const TaskContext& context, const PatchBoundaries& boundaries, int side, Output& output);
 }

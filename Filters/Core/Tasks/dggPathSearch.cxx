@@ -101,7 +101,7 @@ std::vector<SurfacePoint> MakePlaces(const PointPair& pair, const std::vector<Id
   return places;
 }
 
-/// Returns the points of a smooth path. Those beside vertices are stored as offsets from `from`.
+/// Returns the points of a smooth path. Points beside vertices are stored as offsets from `from`.
 std::vector<SurfacePoint> MakePlaces(const BandPath& path, Id from, const PreparedSurface& cloud)
 {
   const Point3 origin = GetPosition(SurfacePoint::AtVertex(from), cloud);

@@ -38,9 +38,9 @@ public:
   /// Finds paths in a graph that is up to date, on a mesh.
   Status RunInGraph(GraphSession& graph, PathOptions options, Paths& paths) const;
   /// Finds paths in the graph of a cloud, as polylines through points of the cloud. With `smooth`,
-  /// polylines are straightened within the band, unless that makes them longer than the path in the
-  /// graph. The length is that of the polyline, which is shorter than that in the graph where the
-  /// surface is curved.
+  /// polylines are straightened within the band, unless straightening makes them longer than the
+  /// path in the graph. The length is the length of the polyline, which is shorter than the length
+  /// in the graph where the surface is curved.
   Status RunOnCloud(GraphSession& graph, bool smooth, Paths& paths) const;
   /// Finds exact paths. Their lengths in the graph are NaN.
   Status RunExact(Paths& paths) const;

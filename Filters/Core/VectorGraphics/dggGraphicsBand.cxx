@@ -124,8 +124,8 @@ class StrengthBlend
 {
 public:
   /// Solves for the strengths on the faces with a vertex in the band, on their intrinsic Delaunay
-  /// triangulation, so that no strength lies outside the range of those of the curve. If the
-  /// triangles are too thin, there are no strengths, see Get().
+  /// triangulation, so that no strength lies outside the range of the strengths of the curve. If
+  /// the triangles are too thin, no strengths are stored, see Get().
   Status Spread(const SurfaceMesh& mesh, const std::vector<char>& isInBand, const CurveSides& sides,
     const CurveChain& chain, const GraphicsCurve& curve, int channels,
     const ProgressCallback& progress)
@@ -199,7 +199,7 @@ public:
 
 private:
   std::vector<Id> Places;                   // per vertex, its id in the band, or NoId
-  std::vector<std::vector<double>> Columns; // channels of the left, then those of the right
+  std::vector<std::vector<double>> Columns; // channels of the left, then of the right
 };
 }
 

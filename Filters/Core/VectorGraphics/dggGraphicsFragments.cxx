@@ -10,7 +10,7 @@ namespace dgg
 namespace
 {
 /// Returns the centroids of the parts of a triangle divided by lines parallel to its sides, in
-/// barycentric coordinates: first those of upright parts, then those of inverted ones.
+/// barycentric coordinates: first of upright parts, then of inverted parts.
 std::vector<std::array<double, 3>> FindCentroids(int division)
 {
   std::vector<std::array<double, 3>> centroids;

@@ -22,10 +22,10 @@ enum class RefinedPart
 };
 
 /// Refinement before colors are computed. An alternative would be to evaluate the coarse solution
-/// between vertices by Green's identity, u(x) = mean + sum_y g(x, y) (L u)_y. That costs one
-/// Green's function per point and is not better than linear interpolation, since the values at the
-/// vertices have errors of the same size. For a spherical harmonic of degree 5 on the unit sphere
-/// with 10 242 vertices, the root mean square errors inside faces were 1.6e-3 by linear
+/// between vertices by Green's identity, u(x) = mean + sum_y g(x, y) (L u)_y. This evaluation costs
+/// one Green's function per point and is not better than linear interpolation, since the values at
+/// the vertices have errors of the same size. For a spherical harmonic of degree 5 on the unit
+/// sphere with 10 242 vertices, the root mean square errors inside faces were 1.6e-3 by linear
 /// interpolation and 1.9e-3 by Green's identity; with one level of refinement they were 4.9e-4.
 struct GraphicsRefinement
 {

@@ -297,8 +297,8 @@ Status GraphicsLoads::Prepare(const SubMesh& surface, Id numberOfFaces,
   return this->FindRegions(edges, chains, curves, checkMemory, progress);
 }
 
-/// Finds the faces on the left of regions; for many regions their number may far exceed that of the
-/// surface.
+/// Finds the faces on the left of regions. For many regions, their total number may far exceed the
+/// number of faces of the surface.
 Status GraphicsLoads::FindRegions(const PathEdges& edges, const std::vector<CurveChain>& chains,
   const std::vector<GraphicsCurve>& curves, const GraphicsMemoryCheck& checkMemory,
   const ProgressCallback& progress)

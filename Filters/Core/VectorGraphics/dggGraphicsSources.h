@@ -50,7 +50,7 @@ class RegionSources
 public:
   RegionSources(const SurfaceMesh& mesh, const SubMesh& surface);
 
-  /// Adds the integrals of the sources of a region against hat functions. Faces are those of the
+  /// Adds the integrals of the sources of a region against hat functions. Faces belong to the
   /// surface and may repeat. Loads are per vertex, one array per channel; the loads of a patch with
   /// a boundary sum to 0 up to rounding.
   void Add(const std::vector<Id>& faces, const std::vector<double>& strength,
@@ -89,8 +89,8 @@ struct ChainPart
 std::vector<ChainPart> SplitChain(const PathEdges& edges, const CurveChain& chain);
 
 /// Adds the integrals of a flux per length along a curve, piecewise linear, against hat functions.
-/// `parts` are those of SplitChain(). The flux into a face is assigned to its own corners: where
-/// the surface is cut at a vertex of the curve, to the copy of this face.
+/// `parts` is the result of SplitChain(). The flux into a face is assigned to its own corners:
+/// where the surface is cut at a vertex of the curve, to the copy of this face.
 void AddLineSource(const SubMesh& surface, const CurveChain& chain,
   const std::vector<ChainPart>& parts, const GraphicsCurve& curve,
   std::vector<std::vector<double>>& loads);
@@ -108,7 +108,7 @@ public:
     const ProgressCallback& progress);
 
   /// Adds the integrals of all sources against hat functions to columns, one per channel.
-  /// `strengths` are those of regions.
+  /// `strengths` are per region.
   Status Add(const GraphicsDomain& domain, const std::vector<CurveChain>& chains,
     const std::vector<GraphicsCurve>& curves, const std::vector<GraphicsRegion>& regions,
     const std::vector<std::vector<double>>& strengths, const ProgressCallback& progress,

@@ -135,14 +135,14 @@ public:
     const std::vector<CurveChain>& chains, const std::vector<GraphicsCurve>& curves,
     const GraphicsOptions& options);
 
-  /// Computes the colors. Curves must be those of Prepare(), but may have other colors and widths.
-  /// The number of values must match, all values must be finite, widths positive, and faces of
-  /// regions must exist. Fails if a color or a net source overflows. Values may otherwise be of any
-  /// magnitude: channels are scaled during the solution.
+  /// Computes the colors. Curves must be the curves of Prepare(), but may have other colors and
+  /// widths. The number of values must match, all values must be finite, widths positive, and faces
+  /// of regions must exist. Fails if a color or a net source overflows. Values may otherwise be of
+  /// any magnitude: channels are scaled during the solution.
   Status Run(const std::vector<GraphicsCurve>& curves, const std::vector<GraphicsRegion>& regions,
     const GraphicsOptions& options, GraphicsResult& result);
 
-  /// The surface cut open along diffusion and Poisson curves, to which the values belong.
+  /// Returns the surface cut open along diffusion and Poisson curves, to which the values belong.
   const SubMesh& GetSurface() const;
   /// Releases prepared data.
   void Clear();

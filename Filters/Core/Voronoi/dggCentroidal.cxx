@@ -173,7 +173,7 @@ public:
   }
 
 private:
-  /// Returns the direction of a vertex, given that of its tail.
+  /// Returns the direction of a vertex, given the direction of its tail.
   double FindDirection(Id v, const LinkedSites& linked) const
   {
     const SearchResult& result = this->Result;

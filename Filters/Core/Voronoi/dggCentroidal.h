@@ -36,7 +36,7 @@ struct CentroidalOptions
 /// Lloyd's iteration on a surface: every site moves repeatedly to the mean of its cell, so that the
 /// cells become compact and of similar size. The iteration minimizes the energy, the sum over all
 /// vertices of area times squared distance from the nearest site, where the area of a vertex is a
-/// third of that of its faces.
+/// third of the area of its faces.
 ///
 /// The mean is computed in the tangent plane of the site: a vertex of the cell is placed at its
 /// (corrected) distance in the direction in which the path to it leaves the site, straightened like
@@ -55,13 +55,13 @@ DGG_CORE_EXPORT Status MoveToCenters(const GraphSearch& search, const SurfaceMes
 /// nearest site. All points have equal weight, so that there are more sites where points are
 /// denser.
 ///
-/// As seen from a site, a point of its cell is placed at its distance in the direction of the first
+/// Seen from a site, a point of its cell is placed at its distance in the direction of the first
 /// edge of the path to it. The target of the site is the mean of these positions; the site becomes
 /// the point of its cell that is closest to the target in space. If the energy does not decrease,
 /// only those sites move that are then closer to the points of their cells. If that does not help,
 /// all steps are halved, and finally the iteration ends. Tolerance is not used.
 ///
-/// `search` belongs to the graph of a cloud, `positions` are those of its points, x y z each. Each
+/// `search` belongs to the graph of a cloud, `positions` are x y z per point of the cloud. Each
 /// site is first moved to its nearest cloud point. `energies` receives the energy at the start and
 /// after each iteration; it is decreasing. Fails like GraphSearch::Run(); then `sites` is
 /// unchanged.

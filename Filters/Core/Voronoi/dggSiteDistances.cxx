@@ -41,7 +41,7 @@ struct Label
   Id Next;      ///< next label of the same vertex, or NoId
 };
 
-/// Returns the seeds without those of duplicate sites.
+/// Returns the seeds without seeds of duplicate sites.
 std::vector<GraphSeed> WithoutDuplicates(const std::vector<GraphSeed>& seeds)
 {
   using Place = std::vector<std::pair<Id, double>>;
@@ -94,7 +94,7 @@ std::vector<double> MeasureReach(const SurfaceMesh& mesh)
   return reach;
 }
 
-/// Computes the labels other than those of the nearest sites.
+/// Computes the labels of sites other than the nearest.
 class FartherSites
 {
 public:
@@ -157,7 +157,7 @@ private:
     return seed == NoId ? NoId : this->Seeds[seed].Source;
   }
 
-  /// Creates all labels that follow from those of the nearest sites.
+  /// Creates all labels that follow from the labels of the nearest sites.
   void Start()
   {
     for (std::size_t i = 0; i < this->Seeds.size(); ++i)

@@ -154,7 +154,7 @@ public:
     return Status::Success();
   }
 
-  /// Updates distances after a sample has been added; `distances` are those of the vertices.
+  /// Updates distances after a sample has been added; `distances` are per vertex.
   Status Update(const SurfacePoint& sample, const std::vector<double>& distances)
   {
     std::vector<double> direct;

@@ -37,7 +37,7 @@ struct ExactOptions
   ExactEngine Engine = ExactEngine::Triangle;
   /// Vertices and targets farther than this are left unreached.
   double MaximumDistance = Infinity;
-  /// Surface points whose distance is computed besides that of the vertices.
+  /// Surface points whose distance is computed in addition to the vertices.
   std::vector<SurfacePoint> Targets;
   /// Stop as soon as the distances of all targets are final; vertices beyond the farthest target
   /// remain unreached. No effect without targets.

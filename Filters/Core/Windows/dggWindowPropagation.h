@@ -50,9 +50,10 @@ protected:
   Id SourceOf(Id root) const { return root >= 0 ? this->Result->NearestSource[root] : ~root; }
   bool IsSource(Id v) const { return this->Result->Predecessors[v].Root == v; }
 
-  /// Lowers the label of v if `distance` is smaller. Every label is the length of an actual path.
+  /// Lowers the label of v if `distance` is smaller; returns true if so. Every label is the length
+  /// of an actual path.
   bool Lower(Id v, double distance, const Predecessor& predecessor, Id source);
-  /// Relaxes the mesh edges around v. A safety net for windows that are too narrow to be stored.
+  /// Relaxes the mesh edges around v, which covers windows that are too narrow to be stored.
   void RelaxNeighbours(Id v);
 
   /// Emits windows of the pseudo-source v into all its faces.
@@ -159,7 +160,7 @@ private:
   bool IsOutOfMemory = false;
   bool HasExceededLimit = false;
   bool NotesReached = false;             // true if Reached is filled in this run
-  bool KnowsReached = false;             // true if Reached is that of the last, completed run
+  bool KnowsReached = false;             // true if Reached belongs to the last, completed run
   std::vector<Id> Reached;               // vertices with a label
   std::vector<Target> Targets;           // sorted by face; without targets at vertices
   std::vector<std::uint8_t> TargetFlags; // per face

@@ -15,8 +15,8 @@
 struct DGGSourceSet;
 class vtkGeodesicDistanceAlgorithm;
 
-/// Arguments, all checked, and results of DGGDistanceInternals::ComputeDistances(). `Arrays` are
-/// those of DGGDistanceInternals::DeclareArrays(), whose components are to be filled. Vertices
+/// Arguments, all checked, and results of DGGDistanceInternals::ComputeDistances(). `Arrays` come
+/// from DGGDistanceInternals::DeclareArrays(), and their components are to be filled. Vertices
 /// farther than MaximumDistance may be left unreached.
 struct DGGDistanceTask : public dgg::DistanceResults
 {

@@ -20,9 +20,9 @@ class DGGMeshAdapter
 public:
   DGGMeshAdapter();
 
-  /// Prepares the surface, or shares that of another filter. Does nothing if time stamps or bits
-  /// show that points and cells are unchanged. Fails like dgg::PreparedSurface::Make(); then the
-  /// surface is empty.
+  /// Prepares the surface, or shares the surface of another filter. Does nothing if time stamps or
+  /// bits show that points and cells are unchanged. Fails like dgg::PreparedSurface::Make(); then
+  /// the surface is empty.
   dgg::Status Update(vtkPolyData* input, const dgg::Domain& domain);
 
   /// Returns an error if no cell of the input can be part of a surface.

@@ -114,7 +114,7 @@ struct CloudGraphEstimate
 ///
 /// Two points are connected directly if the segment between them stays in the band, the union of
 /// balls around all points. The direct pairs within reach form the full graph. The progress rule
-/// keeps those of its edges that are needed for the accuracy. Outliers (see dggOutliers.h) are
+/// keeps the edges of this graph that are needed for the accuracy. Outliers (see dggOutliers.h) are
 /// connected only to points at the same position, and do not affect the graph of the other points.
 class CloudGraphBuilder
 {

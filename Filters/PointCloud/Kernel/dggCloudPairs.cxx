@@ -132,9 +132,9 @@ bool CloudPairs::IsInBand(const Seen& seen) const
     this->Band.ToGrid(this->Points[seen.Q] - (second / seen.Chord) * seen.Segment));
 }
 
-/// Like IsInBand(), but without voxels. Passes from ball to ball: the next ball is that of the
-/// point nearest to the position where the segment leaves the last one, until the ball at the other
-/// end is reached.
+/// Returns the same as IsInBand(), but without voxels. Passes from ball to ball: the next ball is
+/// around the point nearest to the position where the segment leaves the last one, until the ball
+/// at the other end is reached.
 bool CloudPairs::IsInBalls(const Seen& seen) const
 {
   const Point3 direction = (1.0 / seen.Chord) * seen.Segment;

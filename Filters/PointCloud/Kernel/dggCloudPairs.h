@@ -47,8 +47,8 @@ struct CloudPairs
   std::function<Id(const Point3&)> FindNearestPoint;
   /// True if path lengths are arc lengths along the surface, false if they are chord lengths.
   bool UsesArcs = true;
-  /// 1 for points whose normal is known to point to the same side of the surface as those of other
-  /// points; empty if there are none.
+  /// 1 for points whose normal is known to point to the same side of the surface as normals of
+  /// other points; empty without such points.
   std::vector<unsigned char> IsOriented;
 
   /// Returns the Euclidean distance between two points.

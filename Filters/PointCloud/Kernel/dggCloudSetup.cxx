@@ -14,7 +14,7 @@ namespace dgg
 {
 namespace
 {
-/// Progress weights, other than those of the band and the reaches.
+/// Progress weights of steps other than the band and the reaches.
 constexpr double ShareOfFits = 0.22;
 /// Weight of the fits to more neighbors, and of the repeated fits after points have been moved.
 constexpr double ShareOfNoise = 0.08;

@@ -25,7 +25,7 @@ struct DGGContext;
 class DGGPoissonCache
 {
 public:
-  /// Returns the bytes that will be allocated besides those of the solver, which has been analyzed.
+  /// Returns the bytes that will be allocated in addition to the solver, which has been analyzed.
   using OtherMemory = std::function<double(const dgg::PoissonSolver&)>;
 
   /// Updates the solver. Fails if the solver and `others` would take more memory than the limit of
