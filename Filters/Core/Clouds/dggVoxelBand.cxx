@@ -20,8 +20,8 @@ constexpr std::size_t WordsPerBrick = 8;
 /// Minimum number of hash table entries per brick.
 constexpr std::size_t TablePerBrick = 2;
 constexpr Offset PointsPerTask = 4096;
-/// Work between two progress reports: brick positions examined, voxels in boxes around balls, and
-/// the number of tasks into which these are divided.
+/// Amounts of work between two progress reports: brick positions examined, voxels in boxes around
+/// balls, and the number of tasks into which the work is divided.
 constexpr std::size_t LooksPerReport = 1 << 15;
 constexpr double VoxelsPerReport = 1 << 24;
 constexpr Offset TasksPerReport = 256;
@@ -47,7 +47,8 @@ Range RangeOf(double center, double radius, double size)
     static_cast<std::int32_t>(std::floor((center + radius) / size)) };
 }
 
-/// Distance of a number from the nearest and from the farthest point of an interval.
+/// Returns the distance of a number from the nearest point of an interval (Gap) or from the
+/// farthest one (Span).
 double Gap(double x, double low, double high)
 {
   return x < low ? low - x : std::max(0.0, x - high);
@@ -57,8 +58,9 @@ double Span(double x, double low, double high)
   return std::max(std::abs(x - low), std::abs(x - high));
 }
 
-/// Chooses cells of 2^level bricks along each axis, as large as fit into balls on average: larger
-/// cells lie in no ball. Returns 0 if even bricks do not fit.
+/// Returns the level of the largest cells that fit into balls of mean radius. A cell of level l
+/// consists of 2^l bricks along each axis; larger cells lie in no ball. Returns 0 if not even
+/// single bricks fit.
 int ChooseLevel(const std::vector<double>& radii, double inverseSize)
 {
   double sum = 0.0;
@@ -66,13 +68,14 @@ int ChooseLevel(const std::vector<double>& radii, double inverseSize)
   {
     sum += radius;
   }
-  // The cell that contains the center of a ball extends by at most its diagonal.
+  // The cell that contains the center of a ball extends from the center by at most the cell
+  // diagonal.
   const double cell =
     sum / static_cast<double>(radii.size()) * inverseSize / (std::sqrt(3.0) * 8.0);
   return cell > 1.0 ? std::ilogb(cell) : 0;
 }
 
-/// Checks the number of bricks found so far.
+/// Fails if the number of bricks found so far exceeds a limit.
 Status CheckBricks(double bricks, double memoryLimit, const std::string& remedy)
 {
   const double bytes = VoxelBand::PredictMemory(bricks);
@@ -106,7 +109,7 @@ Status VoxelBand::Build(const std::vector<Point3>& points, const std::vector<dou
     return Status::Success();
   }
   Status status = this->ChooseBox(points, radii, remedy);
-  // If there are very many bricks, a pass over larger cells detects that early.
+  // If the number of bricks is very large, a pass over larger cells detects the excess early.
   const int level = ChooseLevel(radii, this->InverseSize);
   if (status.IsOk() && level > 0)
   {
@@ -144,7 +147,7 @@ Status VoxelBand::ChooseBox(
     high = { std::max(high.X, points[i].X + r), std::max(high.Y, points[i].Y + r),
       std::max(high.Z, points[i].Z + r) };
   }
-  // Two additional voxels on each side, so that neighbors of marked voxels have valid indices.
+  // The margin of two voxels on each side gives the neighbors of marked voxels valid indices.
   const double margin = 2.0 * this->VoxelSize;
   this->Origin = low - Point3{ margin, margin, margin };
   const double extent = std::max({ high.X - low.X, high.Y - low.Y, high.Z - low.Z });
@@ -159,8 +162,9 @@ Status VoxelBand::ChooseBox(
   return Status::Success();
 }
 
-/// Finds the bricks that balls intersect. At a level above 0, finds cells of 2^level bricks along
-/// each axis that lie entirely in a ball, only to detect too many bricks early.
+/// Finds the bricks that balls intersect. At a level above 0, finds the cells of 2^level bricks
+/// along each axis that lie entirely in a ball; such a pass only serves to detect too many bricks
+/// early.
 Status VoxelBand::FindCells(const std::vector<Point3>& points, const std::vector<double>& radii,
   int level, std::size_t memoryLimit, const ProgressCallback& progress, const std::string& remedy)
 {
@@ -177,7 +181,7 @@ Status VoxelBand::FindCells(const std::vector<Point3>& points, const std::vector
   for (std::size_t i = 0; i < points.size(); ++i)
   {
     const Point3 center = this->ToGrid(points[i]);
-    // At least one voxel, for the neighbors that are marked in any case.
+    // The radius is at least one voxel, for the neighbors that are marked in any case.
     const double radius = std::max(level > 0 ? 0.0 : 1.0, radii[i] * this->InverseSize);
     const Range x = RangeOf(center.X, radius, size);
     const Range y = RangeOf(center.Y, radius, size);
@@ -231,7 +235,7 @@ Status VoxelBand::MarkBalls(const std::vector<Point3>& points, const std::vector
   {
     DGG_RETURN_IF_ERROR(
       ReportTo(progress, 0.5 + 0.5 * static_cast<double>(first) / static_cast<double>(count)));
-    // A batch of balls that takes some time.
+    // A batch contains about as many balls as one progress report covers.
     Offset last = first;
     for (double voxels = 0.0; last < count && voxels < VoxelsPerReport; ++last)
     {

@@ -16,29 +16,31 @@
 
 namespace dgg
 {
-/// Finds the virtual sources of exact distances: the pseudo-source at the start of the last
-/// straight segment of the path to a vertex, or the preceding pseudo-source where that one explains
-/// more distances, for example behind flat vertices. `sources` are those of the run.
+/// Finds the virtual source of each vertex for exact distances. A virtual source is the
+/// pseudo-source at the start of the last straight segment of the path to the vertex. If the
+/// preceding pseudo-source explains more distances, for example behind flat vertices, the preceding
+/// one is used. `sources` are the sources of the run.
 DGG_CORE_EXPORT void FindVirtualSources(const SurfaceMesh& mesh,
   const std::vector<GeodesicSource>& sources, const ExactResult& result, VirtualSources& found,
   const ParallelFor& parallel = ParallelFor());
 
 /// Finds the virtual sources of a search, with relays merged, for distances inside faces. Offset
-/// plus length equals `distances`, which are the labels or the corrected distances of the result.
-/// The virtual sources of the result are for vertices reached over further edges.
+/// plus length of a virtual source equals the entry of `distances`, which contains the labels or
+/// the corrected distances of the result. The virtual sources in `result` itself are meant for
+/// vertices reached over further edges.
 DGG_CORE_EXPORT void FindVirtualSources(const SurfaceMesh& mesh, const SearchResult& result,
   const std::vector<double>& distances, VirtualSources& found,
   const ParallelFor& parallel = ParallelFor());
 
-/// Finds for each vertex the virtual source that best explains the distances of its neighbors: the
-/// direction and the curvature of the wavefront, which is one over the distance from the virtual
-/// source. Neighbors whose distance comes from another direction have little weight. The field may
-/// be computed by any method, such as fast marching or heat; no assumption is made about distances
-/// at sources.
+/// Finds for each vertex the virtual source that best explains the distances of its neighbors. The
+/// virtual source represents the direction and the curvature of the wavefront; the curvature is one
+/// over the distance from the virtual source. Neighbors whose distance comes from another direction
+/// have little weight. The field may be computed by any method, such as fast marching or heat; no
+/// assumption is made about distances at sources.
 ///
-/// `distances` are per vertex; Infinity or NaN if unreached. Where there is nothing to fit, for
-/// example at a source or an Irregular vertex, the virtual source is the vertex itself. Returns
-/// false if stopped; then `found` must not be used.
+/// `distances` are per vertex; Infinity or NaN if unreached. If nothing can be fitted, for example
+/// at a source or an Irregular vertex, the virtual source is the vertex itself. Returns false if
+/// stopped; then `found` must not be used.
 DGG_CORE_EXPORT bool FitVirtualSources(const SurfaceMesh& mesh, const double* distances,
   const ParallelFor& parallel, VirtualSources& found,
   const ProgressCallback& progress = ProgressCallback());

@@ -26,8 +26,8 @@ namespace dgg
 {
 namespace
 {
-/// Size of the patches of neighboring vertices in the tables: the data that a thread reads around
-/// them fits into its cache.
+/// Size of the patches of neighboring vertices in the tables. The data that a thread reads around
+/// the vertices of a patch fits into its cache.
 constexpr Id PatchSize = 256;
 /// Rows per task.
 constexpr Id BlockSize = 16;
@@ -52,22 +52,24 @@ constexpr double BytesPerWindow = 512.0;
 constexpr double BytesPerFace = 3.0 * (sizeof(FaceCrossing) + sizeof(double)) + 20.0;
 
 /// Maximum work of a graph, in units of GraphWindowTracer::GetWork(), per face at an accuracy of 1
-/// %: about twenty times that of a mesh of well-shaped triangles. A single vertex may take a
-/// fraction of it. Without this limit, the work could grow with the number of routes where windows
-/// can multiply, or with the square of the number of faces where all faces are as long as the mesh.
+/// %: about twenty times the work of a mesh of well-shaped triangles. A single vertex may take a
+/// fraction of the total (ShareOfVertex). Without this limit, the work could grow with the number
+/// of routes if windows can multiply, or with the square of the number of faces if all faces are as
+/// long as the mesh.
 constexpr double MostWorkOfFace = 1e4;
 constexpr double LargestShareOfSample = 2.0; // relative to the average
 constexpr std::size_t ShareOfVertex = 16;    // inverse of the maximum share of one vertex
-/// Minimum number of faces for the limit: smaller meshes, and coarser accuracies, take little time
-/// in any case. Where windows multiply, each face takes more time.
+/// Minimum number of faces for the limit, for meshes in which windows cannot multiply and for
+/// meshes in which they can. Smaller meshes and coarser accuracies take little time in any case; a
+/// face takes more time if windows multiply.
 constexpr double SmallestMesh = 20000.0;
 constexpr double SmallestBranchingMesh = 1000.0;
 /// Maximum number of windows per vertex in the fast mode at an accuracy of 1 %, more than on
-/// ordinary meshes. Where windows cannot multiply, the limit is that of a plate without interior
-/// points, where each vertex sees all faces.
+/// ordinary meshes. If windows cannot multiply, the limit is the number of windows of a plate
+/// without interior points, on which each vertex sees all faces (FastWindowsPerFace).
 constexpr double FastWindows = 2000.0;
 constexpr double FastWindowsPerFace = 4.0;
-/// Factor by which the other rules use more windows.
+/// Ratio of the number of windows of the other rules to that of the progress rule.
 constexpr double WindowsOfOtherRules = 16.0;
 
 /// Measured progress weights of the steps.
@@ -82,8 +84,8 @@ ShareOfSteps SharesOf(GraphConstruction construction)
                                                      : ShareOfSteps{ 0.9, 0.0 };
 }
 
-/// Ratio of graph edges to edges found, measured on many meshes: uniting both directions adds some,
-/// pruning candidates removes most.
+/// Returns the ratio of graph edges to edges found, measured on many meshes. Uniting both
+/// directions adds some edges; pruning candidates removes most of them.
 double UnitedShare(GraphConstruction construction)
 {
   switch (construction)
@@ -113,7 +115,7 @@ Status LimitExceeded(const std::string& source, bool canMultiply, const GraphOpt
       "} (now ", isLimited ? JoinText(options.NumberOfNeighbors) : JoinText(options.Accuracy), ")");
 }
 
-/// Sample of the number of edges found per vertex.
+/// Statistics of the number of edges found per vertex, from a sample of vertices.
 class DegreeSample
 {
 public:
@@ -124,7 +126,8 @@ public:
     this->SumOfSquares += degree * degree;
   }
   double GetMean() const { return this->Sum / this->Count; }
-  /// Upper bound of the mean over all vertices: three standard errors above the sample mean.
+  /// Returns an upper bound of the mean over all vertices: three standard errors above the sample
+  /// mean.
   double GetLargestMean() const
   {
     const double mean = this->GetMean();
@@ -222,7 +225,7 @@ private:
   template <typename Rule>
   Status SampleRows(
     const Rule& rule, const GraphOptions& options, DegreeSample& degrees, double& windows) const;
-  /// Builds the rows of all vertices. With `unite`, both directions of an edge are united.
+  /// Builds the rows of all vertices. If `unite` is true, both directions of an edge are united.
   template <typename Rule>
   Status BuildRows(const Rule& rule, const GraphOptions& options, bool unite, RowStore& rows,
     GraphStatistics& statistics) const;
@@ -381,9 +384,9 @@ Status GraphBuilder::Implementation::Estimate(
   estimate.Edges = unite(degrees.GetMean());
   estimate.Memory = estimate.Edges * bytes + 8.0 * (n + 1.0);
 
-  // While edges are found, about half of the graph edges are stored in growing arrays, and those of
-  // a wave in blocks of up to twice their size; then rows are converted to the graph. In the
-  // indirect construction all candidates are stored before any is pruned.
+  // While edges are found, about half of the graph edges are stored in growing arrays, and the
+  // edges of a wave in blocks of up to twice their size; then rows are converted to the graph. In
+  // the indirect construction all candidates are stored before any candidate is pruned.
   const double out = n * degrees.GetLargestMean();
   const double wave = std::min(out, MostEdgesOfWave(out)) * 2.0 * sizeof(RowEdge);
   const double graph = unite(degrees.GetLargestMean()) * bytes + 8.0 * (n + 1.0);
@@ -401,7 +404,7 @@ Status GraphBuilder::Implementation::SampleRows(
   const Rule& rule, const GraphOptions& options, DegreeSample& degrees, double& windows) const
 {
   const Id n = this->Table.GetNumberOfVertices();
-  // Every k-th vertex of an order in which neighbors are close together.
+  // The sample is every k-th vertex of an order in which neighbors are close together.
   const Id count = std::min(n, SampleSize);
   const WindowLimits limits = this->LimitWindows(options);
   GraphWindowTracer<Rule> tracer(this->Table, rule, limits);
@@ -455,7 +458,7 @@ Status GraphBuilder::Implementation::BuildRows(const Rule& rule, const GraphOpti
           mostWork, work, blocks[b]);
         windows += tracer->GetNumberOfWindows() - before;
       }));
-    // Work only grows, so that for any number of threads the limit is either exceeded or not.
+    // The work never decreases, so that the outcome does not depend on the number of threads.
     if (work > mostWork)
     {
       return this->MeshLimitExceeded(options);

@@ -340,7 +340,7 @@ private:
     }
   }
 
-  /// Releases buffers that grew beyond their usual size.
+  /// Abandons the current source: marks its limit as exceeded and releases the buffers.
   void GiveUp()
   {
     this->HasExceededLimit = true;
@@ -351,8 +351,9 @@ private:
     this->Reached = DistanceHeap();
   }
 
-  /// Processes windows in order of distance, so that most dominated windows are dominated before
-  /// they are processed. Vertices propagate their labels in the same order.
+  /// Processes windows and vertices in order of distance: windows propagate through faces, vertices
+  /// propagate their labels to neighbors. In this order, most windows that turn out to be dominated
+  /// are so before their turn, and are skipped.
   void TraceByDistance()
   {
     while (!this->Order.IsEmpty() && !this->HasExceededLimit)

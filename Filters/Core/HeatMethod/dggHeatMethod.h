@@ -34,8 +34,9 @@ constexpr double SmallestTimeStepFactor = 1e-6;
 constexpr double LargestTimeStepFactor = 1e6;
 /// @}
 
-/// Outside this range of time step factors, and in components with fewer triangles, the average
-/// error of distances is 10 % and more (measured on spheres, plates, scans and CAD parts).
+/// Limits beyond which results are unreliable. With time step factors outside this range, and in
+/// components with fewer triangles, the average error of distances is at least 10 % (measured on
+/// spheres, plates, scans and CAD parts).
 /// @{
 constexpr double SmallestUsefulFactor = 0.1;
 constexpr double LargestUsefulFactor = 100.0;
@@ -44,8 +45,8 @@ constexpr Id FewestUsefulTriangles = 50;
 
 struct HeatOptions
 {
-  /// Heat flows for the time c h^2 with this factor c and the mean edge length h of the component,
-  /// after flips.
+  /// Factor c of the time step c h^2, dimensionless, where h is the mean edge length of the
+  /// component after flips.
   double TimeStepFactor = 1.0;
   /// If true, edges are first flipped until they are Delaunay, which improves results on meshes
   /// with obtuse triangles.

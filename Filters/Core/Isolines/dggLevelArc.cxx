@@ -214,8 +214,9 @@ bool LevelArc::AddArc(
   return isThere;
 }
 
-/// Finds the corner between two pieces of the isoline. If a third piece is nearer there, which may
-/// be too short to be found otherwise, finds the corner with that piece.
+/// Finds the corner between two pieces of the isoline. Returns false if no corner is found. If the
+/// field at the intersection of both pieces comes from a third piece, which may be too short to be
+/// found otherwise, the corner with the third piece is searched instead.
 bool LevelArc::FindCorner(
   const LevelPoint& from, const LevelPoint& to, LevelPoint& before, LevelPoint& after) const
 {

@@ -92,8 +92,8 @@ public:
     }
   }
 
-  /// Joins arcs into polylines, which end at nodes that do not have exactly two arcs, and closed
-  /// ones.
+  /// Joins arcs into polylines. A polyline ends at nodes that do not have exactly two arcs, or is
+  /// closed.
   void MakeLines(Ridges& ridges) const
   {
     for (const PieceChain& chain : JoinPieces(this->Ends))

@@ -340,8 +340,9 @@ bool LoopShortener::IsAt(Id vertex, const EdgeCrossing& crossing) const
     this->Mesh.Destination(crossing.Entry) == vertex;
 }
 
-/// Cuts the ring open, from behind the edges at a vertex to before them. Returns false if all edges
-/// are at the vertex: the path contracts to it.
+/// Cuts the ring open at a vertex, and stores the strip without the edges at the vertex in `open`.
+/// `place` is the index of one of the crossings at the vertex. Returns false if all crossed edges
+/// are at the vertex, because the path then contracts to it.
 bool LoopShortener::OpenAt(
   const std::vector<EdgeCrossing>& ring, Id vertex, std::size_t place, Strip& open) const
 {

@@ -45,8 +45,8 @@ struct DGG_CORE_EXPORT SubMesh
   Id Destination(Id h) const { return this->Triangles[SurfaceMesh::Next(h)]; }
   Id Twin(Id h) const { return this->Twins[h]; }
 
-  /// Computes Twins. Half-edges belong to one edge if they have the same ends and the same place,
-  /// the id of an edge or a face of the surface before its faces were split.
+  /// Computes Twins. Half-edges belong to one edge if they have the same ends and the same entry in
+  /// `places`. The entry is the id of an edge or a face of the surface before its faces were split.
   void Glue(const std::vector<Offset>& places);
   /// Builds the mesh of these faces with their lengths, so that its metric is that of the parent.
   /// Pieces of degenerate faces of the parent are degenerate as well.

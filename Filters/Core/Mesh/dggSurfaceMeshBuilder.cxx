@@ -273,7 +273,7 @@ Status SurfaceMeshBuilder::TakeLengths(const double* lengths)
 
 Status SurfaceMeshBuilder::CheckTriangleInequalities() const
 {
-  // Small faces that were cut out of large ones have the rounding errors of the latter.
+  // A small face that was cut out of a large face has the rounding errors of the large face.
   const std::vector<double>& lengths = this->Mesh.Lengths;
   const double rounding =
     lengths.empty() ? 0.0 : LengthRounding * *std::max_element(lengths.begin(), lengths.end());
