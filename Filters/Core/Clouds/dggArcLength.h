@@ -18,11 +18,11 @@ struct ChordAngles
 {
   double First = 0.0;
   double Second = 0.0;
-  /// Upper bound of the total turning of the surface along the chord.
+  /// Returns an upper bound of the total turning of the surface along the chord, in radians.
   double GetTurn() const { return std::abs(this->First) + std::abs(this->Second); }
 };
 
-/// Computes the chord angles. Normals are of length 1, or 0 if unknown; their orientation is
+/// Returns the chord angles. Normals are of length 1, or 0 if unknown; their orientation is
 /// irrelevant.
 inline ChordAngles MeasureChord(
   const Point3& chord, double length, const Point3& firstNormal, const Point3& secondNormal)
@@ -35,9 +35,9 @@ inline ChordAngles MeasureChord(
 }
 
 /// Returns the ratio of arc length to chord length, at least 1. A curve whose curvature changes
-/// linearly and that makes small angles a and b with its chord is longer by (2 a^2 + a b + 2 b^2) /
-/// 30: for a = b this is the excess of a circle, for a = -b that of an S-curve. The closed form of
-/// a circular arc is evaluated for the turning angle that gives the same excess.
+/// linearly and whose angles with its chord are a and b, both small, is longer by (2 a^2 + a b + 2
+/// b^2) / 30. For a = b this is the excess of a circle, for a = -b the excess of an S-curve. The
+/// closed form of a circular arc is evaluated for the turning angle that gives the same excess.
 inline double ArcFactor(const ChordAngles& angles)
 {
   const double a = angles.First;

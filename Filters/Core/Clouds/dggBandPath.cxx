@@ -17,20 +17,20 @@ namespace
 {
 /// Longest step between points of a path, in spacings of the cloud.
 constexpr double StepBySpacing = 0.9;
-/// Radius, in spacings, of the neighborhood that determines the surface at a point, and the
-/// boundary of the cloud.
+/// Radius, in spacings, of the neighborhood from which the surface at a point and the boundary of
+/// the cloud are determined.
 constexpr double FitBySpacing = 3.0;
 /// Fraction of the step toward the midpoint of its neighbors that a point moves in one round.
 constexpr double Damping = 0.7;
 constexpr std::size_t LongestStride = 8;
 constexpr int MaximumRounds = 200;
-/// Rounds between two checks of the length
+/// Number of rounds between two checks of the length.
 constexpr int RoundsPerCheck = 5;
-/// Smallest relative decrease of the length between two checks
+/// Smallest relative decrease of the length between two checks, below which the relaxation ends.
 constexpr double SmallestDecrease = 1e-5;
 constexpr int MaximumPointsPerGraphEdge = 1000;
 
-/// Component of a vector perpendicular to a normal, which may be 0.
+/// Returns the component of a vector perpendicular to a normal, which may be 0.
 Point3 AlongPlane(const Point3& vector, const Point3& normal)
 {
   return vector - Dot(vector, normal) * normal;
@@ -83,7 +83,7 @@ public:
     this->Add(to, owner);
   }
 
-  /// Returns false if the callback requests an abort.
+  /// Relaxes the path. Returns false if the callback requests an abort.
   bool Run(const ProgressCallback& progress)
   {
     for (std::size_t i = 1; i + 1 < this->Points.size(); ++i)
@@ -92,8 +92,9 @@ public:
     }
     std::vector<Point3> best = this->Points;
     double shortest = LengthOf(best);
-    // Large strides first: they straighten long bends in few rounds. Next to gaps and boundaries
-    // they cause kinks, so the stride becomes 1 once the length no longer decreases.
+    // Large strides straighten long bends in few rounds, but cause kinks next to gaps and
+    // boundaries. Therefore the stride starts large and becomes 1 once the length no longer
+    // decreases.
     std::size_t longest = LongestStride;
     for (int round = 1; round <= MaximumRounds && longest > 0; ++round)
     {
@@ -172,7 +173,7 @@ private:
     }
   }
 
-  /// Returns true if one of the points around a move is within a radius of a position.
+  /// Returns true if one of the points around a move (Around) is within a radius of a position.
   bool IsNearCloud(const Point3& position, double radius) const
   {
     return std::any_of(this->Around.begin(), this->Around.end(), [&](const Point3& point) {
@@ -181,8 +182,8 @@ private:
     });
   }
 
-  /// Returns true if a position is outside the convex hull of the points around it, seen along the
-  /// normal, and the move that led there points away from the hull.
+  /// Returns true if a position is outside the convex hull of the surrounding points, seen along
+  /// the normal, and the move to this position points away from the hull.
   bool IsOutward(const Point3& position, const Point3& move, const Point3& normal)
   {
     const Point3 x = AlongPlane(move, normal);
@@ -215,7 +216,7 @@ private:
     return false;
   }
 
-  /// Walks along edges to the cloud point nearest to a position.
+  /// Walks along edges to the cloud point nearest to a position, and returns its id.
   Id FindOwner(Id owner, const Point3& position) const
   {
     const auto measure = [&](Id v) {
@@ -249,7 +250,7 @@ private:
   const BandPathShortener& Tables;
   std::vector<Id> Owners;     ///< per point, the nearest cloud point
   std::vector<Point3> Around; ///< cloud points around the position of a move
-  std::vector<double> Angles; ///< directions to them
+  std::vector<double> Angles; ///< directions to the points in Around, radians
 };
 
 BandPathShortener::BandPathShortener(

@@ -24,7 +24,7 @@ struct BandPath
 
 /// Shortens and smooths paths through points of a cloud. Cloud points along edges are added, and
 /// all points are moved toward the midpoint of their neighbors and onto the surface fitted to the
-/// cloud points around them. Neighborhoods come from the graph, so no search tree is needed.
+/// surrounding cloud points. Neighborhoods come from the graph, so no search tree is needed.
 ///
 /// Every point and every midpoint of a segment stays within 1.5 spacings of a cloud point (in its
 /// ball), so that a path crosses no wider gap than graph edges do. No point leaves the convex hull
@@ -33,14 +33,15 @@ struct BandPath
 class DGG_CORE_EXPORT BandPathShortener
 {
 public:
-  /// `points` (x y z each), the graph of the cloud and `radii` (CloudGraph::Radii) must outlive the
-  /// object. The spacing of a point is its radius divided by AutomaticBallBySpacing.
+  /// Stores pointers to `points` (x y z each), the graph of the cloud and `radii`
+  /// (CloudGraph::Radii), which must outlive the object. The spacing of a point is its radius
+  /// divided by AutomaticBallBySpacing.
   BandPathShortener(const double* points, const GraphView& graph, const double* radii);
 
-  /// Shortens a path, `vertices` from start to end. With `start` or `end`, which may be null, the
-  /// path begins or ends there rather than at its first or last vertex. Fails if a vertex does not
-  /// exist. `path` is then empty, as after an abort. May be called by several threads
-  /// simultaneously.
+  /// Shortens a path, given by its `vertices` from start to end. If `start` or `end` is not null,
+  /// the path begins or ends at this position rather than at its first or last vertex. Fails if a
+  /// vertex does not exist. `path` is empty after a failure or an abort. May be called by several
+  /// threads simultaneously.
   Status Shorten(const std::vector<Id>& vertices, const Point3* start, const Point3* end,
     BandPath& path, const ProgressCallback& progress = {}) const;
 

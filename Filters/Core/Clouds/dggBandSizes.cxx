@@ -15,30 +15,31 @@ namespace
 /// Maximum ratio of the spacing of a point to that of its neighbors.
 constexpr double LargestSpacingRatio = 1.25;
 constexpr double VoxelsPerSpacing = 2.0;
-/// Quantile of the spacings from which the voxel size is chosen; the smallest spacings are too
-/// small.
+/// Quantile of the spacings from which the voxel size is chosen. The smallest spacings are not
+/// representative.
 constexpr double SpacingQuantile = 0.2;
-/// Maximum mean number of voxels per ball, unless voxels would become larger than the balls of the
+/// Maximum mean number of voxels per ball, except where larger voxels would exceed the balls of the
 /// densest points.
 constexpr double VoxelsPerBall = 2000.0;
-/// Unconditional maximum of the mean number of voxels per ball: if the density varies strongly,
-/// voxels for the balls of the densest points would be far too many in those of the sparsest.
+/// Unconditional maximum of the mean number of voxels per ball. If the density varies strongly,
+/// voxels that fit the balls of the densest points would be far too many in the balls of the
+/// sparsest points.
 constexpr double MostVoxelsPerBall = 4000.0;
 /// Maximum automatic number of voxels along the longest side.
 constexpr double LargestAutomaticResolution = 1 << 23;
 /// Maximum number of spacings along the longest side. Coordinates have a rounding error of 2^-54 of
-/// that side, so that edges as long as a spacing keep float precision.
+/// the longest side, so that edges as long as a spacing keep float precision.
 constexpr double MostSpacings = 1 << 30;
 
-/// The distances of the neighbors of a group with fewer points than neighbors have a gap: the next
-/// neighbor is at least this many times as far. Then only the neighbors beyond the gap determine
-/// the spacing; otherwise, if the others are the majority, the spacing would be the distance of the
-/// group from the rest.
+/// Smallest ratio between the distances of successive neighbors that counts as a gap. A group with
+/// fewer points than SpacingNeighbors has such a gap. In that case only the neighbors beyond the
+/// gap determine the spacing. Otherwise, if the majority of the neighbors belong to the group, the
+/// spacing would be the distance of the group from the rest.
 constexpr double LeastGap = 4.0;
 constexpr std::size_t LeastGroup = SpacingNeighbors / 2 + 1;
 
-/// Returns the number of nearest points that form a separate group, far from the next ones; 0 if
-/// there is none.
+/// Returns the number of nearest points that form a separate group, far from the next ones; 0 if no
+/// group is separate.
 std::size_t CountBeforeGap(const std::vector<double>& squaredDistances)
 {
   for (std::size_t i = squaredDistances.size(); i-- > LeastGroup;)
@@ -122,7 +123,8 @@ Status ChooseBandSizes(const CloudNodes& nodes, const std::vector<Point3>& place
   }
   else
   {
-    // Small enough for the balls of the densest points, if the others allow it.
+    // The voxels are small enough for the balls of the densest points, if the other balls permit
+    // that.
     const double volume = GetMeanVolume(radii);
     size = h > 0.0
       ? factor * median / h
@@ -131,7 +133,7 @@ Status ChooseBandSizes(const CloudNodes& nodes, const std::vector<Point3>& place
     {
       return TooFarApart(nodes, places, median, "a single band of voxels");
     }
-    // The voxels may then be too large for the balls of the densest points.
+    // In this case the voxels may be too large for the balls of the densest points.
     size = h > 0.0 ? size : std::max(size, std::cbrt(volume / MostVoxelsPerBall));
   }
   if (!(size > 0.0))
@@ -144,7 +146,8 @@ Status ChooseBandSizes(const CloudNodes& nodes, const std::vector<Point3>& place
   }
   std::vector<double> reordered = radii;
   sizes.MedianRadius = Quantile(reordered, 0.5) / size;
-  // Slightly less, so that rounding does not increase the requested resolution by one.
+  // The extent is slightly reduced, so that rounding does not increase the requested resolution by
+  // one.
   sizes.Resolution = static_cast<Id>(std::min(1e9, std::ceil((1.0 - 1e-12) * nodes.Extent / size)));
   return Status::Success();
 }

@@ -28,10 +28,10 @@ constexpr double AutomaticBallBySpacing = 1.5;
 /// k-th neighbor.
 DGG_CORE_EXPORT double SpacingFrom(double squaredDistance, std::size_t k);
 
-/// Returns a robust spacing of a point, given the spacings of its nearest neighbors (including
-/// itself; reordered by the call) and their squared distances in ascending order. An isolated point
-/// far off the surface must not get a ball that reaches the surface, nor a boundary point a larger
-/// ball.
+/// Returns a robust spacing of a point. Takes the spacings of its nearest neighbors (including the
+/// point itself; reordered by the call) and their squared distances in ascending order. An isolated
+/// point far off the surface must not get a ball that reaches the surface, and a boundary point
+/// must not get a larger ball than its neighbors.
 DGG_CORE_EXPORT float SmoothSpacing(
   float spacing, const std::vector<double>& squaredDistances, std::vector<float>& around);
 

@@ -14,13 +14,14 @@
 
 namespace dgg
 {
-/// The bounding box of the finite points of a cloud. Local coordinates are relative to its center
-/// and scaled into [-1, 1] by a power of two, so that scaling is exact.
+/// Bounding box of the finite points of a cloud. Local coordinates are relative to the center of
+/// the box and scaled into [-1, 1] by a power of two, so that scaling is exact.
 class CloudFrame
 {
 public:
   CloudFrame() = default;
-  /// `points` are x y z per point. Finite points for which `isLeftOut` is true are ignored.
+  /// Computes the box of `points` (x y z each). Ignores points with a non-finite coordinate, and
+  /// points for which `isLeftOut` returns true.
   template <typename Test>
   CloudFrame(const double* points, Id numberOfPoints, Test&& isLeftOut)
   {
@@ -38,7 +39,8 @@ public:
     }
     if (this->NumberOfPoints > 0)
     {
-      // Halved first, since the extent of large numbers may exceed the range of double.
+      // The bounds are halved first, since the extent of large numbers may exceed the range of
+      // double.
       this->Middle = 0.5 * low + 0.5 * high;
       this->Half = 0.5 * high - 0.5 * low;
     }
@@ -51,7 +53,7 @@ public:
   {
   }
 
-  /// Number of finite points that are not ignored.
+  /// Returns the number of finite points that are not ignored.
   Id GetNumberOfPoints() const { return this->NumberOfPoints; }
   /// Fails if squares of lengths and intermediate results of length computations are outside the
   /// range of double.
@@ -66,10 +68,10 @@ public:
       " units to each side, which is out of the range of floating-point numbers")
       .Fix("Scale the points");
   }
-  /// Half the length of the longest side of the box.
+  /// Returns half the length of the longest side of the box.
   double GetHalfExtent() const { return std::max({ this->Half.X, this->Half.Y, this->Half.Z }); }
   double GetDiagonal() const { return 2.0 * std::hypot(this->Half.X, this->Half.Y, this->Half.Z); }
-  /// Factor from units of the points to local units.
+  /// Returns the factor from units of the points to local units.
   double GetScale() const { return this->Scale; }
   Point3 ToLocal(const Point3& point) const { return this->Scale * (point - this->Middle); }
 

@@ -11,7 +11,7 @@ namespace dgg
 {
 namespace
 {
-/// Direction without a meaning, of links of points beside a point of the cloud.
+/// Placeholder for the direction of a link of a point near a cloud point, which is undefined.
 constexpr double NearPoint = 0.0;
 
 Point3 GetPosition(const double* positions, const SurfacePoint& point)
@@ -22,7 +22,7 @@ Point3 GetPosition(const double* positions, const SurfacePoint& point)
                                                  : p;
 }
 
-/// Ratio of the surface distance to the straight distance, on the edge from a vertex.
+/// Returns the ratio of the surface distance to the straight distance on an edge from a vertex.
 double GetArcFactor(const GraphView& graph, const double* positions, Id vertex, Offset edge)
 {
   const double chord = Norm(PointAt(positions, vertex) - PointAt(positions, graph.Targets[edge]));
@@ -42,7 +42,7 @@ double MeasureDirectly(
   {
     return straight;
   }
-  // From the smaller id, so that both orders give the same bits.
+  // The smaller id comes first, so that both orders give the same bits.
   const Id from = std::min(a.Vertex, b.Vertex);
   const Id to = std::max(a.Vertex, b.Vertex);
   const Id* begin = graph.Targets + graph.Offsets[from];

@@ -11,10 +11,11 @@
 
 namespace dgg
 {
-/// Links a point to the graph of a cloud: a point of the cloud to itself, a point near one to that
-/// one and to its neighbors in the graph. Such links are as much longer than straight lines as the
-/// edge to the neighbor is. `direct` is the distance to each aim near the same point or near a
-/// neighbor, measured alike; infinity for other aims and if either is a point of the cloud.
+/// Links a point to the graph of a cloud. A point of the cloud is linked to itself. A point near a
+/// cloud point is linked to this cloud point and to the neighbors of the cloud point in the graph.
+/// The ratio of such a link to the straight line equals that of the edge to the same neighbor.
+/// `direct` is the distance to each aim near the same cloud point or near a neighbor, measured in
+/// the same manner; Infinity for other aims, and if the point or the aim is a point of the cloud.
 /// `positions` has x y z per vertex.
 DGG_CORE_EXPORT void LinkToCloud(const GraphView& graph, const double* positions,
   const SurfacePoint& point, const std::vector<SurfacePoint>& aims, std::vector<GraphLink>& links,

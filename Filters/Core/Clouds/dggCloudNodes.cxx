@@ -29,7 +29,7 @@ bool IsFirst(const std::vector<NodeEntry>& entries, std::size_t i)
   return i == 0 || before.X != p.X || before.Y != p.Y || before.Z != p.Z;
 }
 
-/// Sorts points, and returns the number of distinct positions.
+/// Sorts points and returns the number of distinct positions.
 std::size_t SortEntries(std::vector<NodeEntry>& entries)
 {
   std::sort(entries.begin(), entries.end(), [](const NodeEntry& a, const NodeEntry& b) {
@@ -44,8 +44,8 @@ std::size_t SortEntries(std::vector<NodeEntry>& entries)
   return places;
 }
 
-/// Reports the first point of each position, and the other points with it. Arrays are allocated in
-/// advance.
+/// Reports the first point of each position, together with the other points at this position.
+/// Arrays are allocated in advance.
 void ReportPlaces(const std::vector<NodeEntry>& entries, std::size_t places,
   std::vector<Id>& originals, std::vector<std::pair<Id, Id>>& coincident)
 {

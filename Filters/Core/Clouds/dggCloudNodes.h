@@ -14,18 +14,18 @@
 
 namespace dgg
 {
-/// The points on which graphs are built and from which marching starts: finite, no outliers, no two
-/// at the same position. Nodes that are close in space are close in memory. Their coordinates are
-/// centered and scaled by a power of two to [-1, 1].
+/// Points on which graphs are built and from which marching starts. Nodes are finite, are no
+/// outliers, and have distinct positions. Nodes that are close in space are close in memory.
+/// Coordinates are centered and scaled by a power of two to [-1, 1].
 struct CloudNodes
 {
   /// Per node, the smallest id of the points at its position.
   std::vector<Id> Originals;
-  /// Points far from all others (see class Outliers); of points at the same position the smallest
-  /// id.
+  /// Points far from all others (see class Outliers). Of several points at the same position, only
+  /// the one with the smallest id is listed.
   std::vector<Id> Outliers;
-  /// Remaining points: their id, and the id in Originals or Outliers of the point at the same
-  /// position.
+  /// Remaining points, as pairs: the id of the point, and the id in Originals or Outliers of the
+  /// point at the same position.
   std::vector<std::pair<Id, Id>> Coincident;
   Id Unused = 0;
   Id NumberOfOutliers = 0; ///< number of points, including duplicates

@@ -13,11 +13,11 @@ namespace dgg
 {
 namespace
 {
-/// Minimum number of neighbors for fitting a plane, and a quadratic height field.
+/// Minimum numbers of neighbors for fitting a plane and a quadratic height field.
 constexpr std::size_t LeastForPlane = 3;
 constexpr std::size_t LeastForQuadric = 12;
-/// Neighbors whose extent across a line is smaller, relative to their length, do not define a
-/// plane.
+/// Minimum extent of the neighbors perpendicular to a line, relative to their extent along the
+/// line. Neighbors below this extent do not define a plane.
 constexpr double ThinnestPlane = 1e-6;
 /// Regularization, relative to the sums of squares: coefficients that are not determined by the
 /// neighbors (all of them on a conic) become 0.
@@ -53,8 +53,8 @@ LocalFit FitSurface(const Point3& point, const Point3* neighbors, std::size_t co
   {
     return fit;
   }
-  // In units of a radius slightly larger than the distance of the farthest neighbor, so that it has
-  // a small weight.
+  // The unit of length is slightly larger than the distance of the farthest neighbor, so that this
+  // neighbor has a small weight.
   const double radius = 1.1 * std::sqrt(squaredRadius);
   const auto weigh = [](const Eigen::Vector3d& d) {
     const double rest = std::max(0.0, 1.0 - d.squaredNorm());
@@ -115,8 +115,8 @@ LocalFit FitSurface(const Point3& point, const Point3* neighbors, std::size_t co
   {
     return fit;
   }
-  // Computed as a sum of squares, because the residual of the normal equations is dominated by
-  // rounding if the fit is good.
+  // The residual is computed as a sum of squares. If the fit is good, the residual of the normal
+  // equations is dominated by rounding.
   double rest = 0.0;
   for (std::size_t i = 0; i < count; ++i)
   {

@@ -26,8 +26,8 @@ struct LocalFit
   double Residual = 0.0;
 };
 
-/// Fits a surface to `count` neighbors of a point, including the point itself. Near neighbors have
-/// more weight.
+/// Returns a surface fitted to `count` neighbors of a point, including the point itself. Near
+/// neighbors have more weight.
 DGG_CORE_EXPORT LocalFit FitSurface(
   const Point3& point, const Point3* neighbors, std::size_t count);
 }

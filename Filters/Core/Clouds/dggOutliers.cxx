@@ -75,8 +75,8 @@ Outliers::Outliers(const double* points, Id numberOfPoints, double ratio)
     points, numberOfPoints, [&](const Point3& p) { values.push_back(this->QuarterDistance(p)); });
   const double median = Quantile(values, 0.5);
 
-  // At least half of the points are at most at the median distance, which separates outliers by the
-  // ratio.
+  // The median distance separates outliers by the ratio, since at least half of the points are at
+  // most at the median distance.
   std::vector<FarPoint> far;
   double inner = 0.0;
   ForEachFinite(points, numberOfPoints, [&](const Point3& p) {
@@ -102,7 +102,7 @@ Outliers::Outliers(const double* points, Id numberOfPoints, double ratio)
       gaps.push_back(i + 1);
     }
   }
-  // The nearest gap that leaves enough points.
+  // Choose the nearest gap that leaves enough points.
   for (auto gap = gaps.rbegin(); gap != gaps.rend(); ++gap)
   {
     this->NumberOfPoints = static_cast<Id>(*gap);

@@ -17,22 +17,22 @@ namespace dgg
 ///
 /// Distances are measured from the center of the cloud, its median along each axis. Points are
 /// outliers if each of them is more than `ratio` times as far as any other point, they occupy fewer
-/// than 17 positions, and the others occupy at least 17. A spacing needs 16 neighbors, so that more
-/// positions form a part of the cloud, however far. Positions count, not points. The distance
-/// between outliers is irrelevant: of the gaps that leave enough positions, the nearest one
-/// separates.
+/// than 17 positions, and the others occupy at least 17. A spacing needs 16 neighbors, so that
+/// points at 17 or more positions belong to the cloud, at any distance. Positions count, not
+/// points. The distance between outliers is irrelevant: of the gaps that leave enough positions,
+/// the nearest one separates the outliers.
 class DGG_CORE_EXPORT Outliers
 {
 public:
-  /// Ratio for graphs, in which outliers are connected to nothing, so that they must be beyond
-  /// doubt. Nearer points may be objects of few points, and cost a cloud less than 10 bits of
-  /// precision.
+  /// Default ratio, for graphs. Outliers are not connected to a graph, so that only points beyond
+  /// doubt may be outliers. Nearer points may be objects of few points; they cost a cloud less than
+  /// 10 bits of precision.
   static constexpr double LargestRatio = 1000.0;
   /// Ratio for searches and frames, which do not lose points: far points are processed
   /// individually, with the same results. A smaller ratio wastes less precision and fewer buckets.
   static constexpr double RatioOfFar = 4.0;
 
-  /// `points` are x y z per point. Non-finite points are ignored.
+  /// Finds the outliers of `points` (x y z each). Ignores non-finite points.
   Outliers(const double* points, Id numberOfPoints, double ratio = LargestRatio);
 
   Id GetNumberOfPoints() const { return this->NumberOfPoints; }
@@ -43,14 +43,14 @@ public:
   }
 
 private:
-  /// Returns a quarter of the distance from the center: the distance of large numbers may exceed
-  /// the range of double.
+  /// Returns a quarter of the distance from the center, because the full distance of large numbers
+  /// may exceed the range of double.
   double QuarterDistance(const Point3& point) const;
   bool HasManyPlaces(const double* points, Id numberOfPoints) const;
 
   Id NumberOfPoints = 0;
   Point3 QuarterMiddle;
-  double Limit = Infinity; ///< a quarter of the largest distance of the other points
+  double Limit = Infinity; ///< a quarter of the largest distance of a point that is not an outlier
 };
 }
 

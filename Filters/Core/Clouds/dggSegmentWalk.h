@@ -16,8 +16,8 @@ namespace dgg
 {
 /// Calls `visit(x, y, z)` for the unit cells that a segment crosses, from start to end, one step
 /// along one axis at a time (Amanatides and Woo 1987). Stops and returns false if `visit` returns
-/// false. Where the segment passes through a corner or an edge of cells, one of the adjacent cells
-/// is visited in between. Coordinates must fit into 32-bit integers.
+/// false. If the segment passes through a corner or an edge of cells, one of the adjacent cells is
+/// visited in between. Coordinates must fit into 32-bit integers.
 template <typename Visitor>
 bool WalkSegment(const Point3& from, const Point3& to, Visitor&& visit)
 {

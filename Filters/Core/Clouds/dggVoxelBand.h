@@ -20,8 +20,8 @@
 
 namespace dgg
 {
-/// A voxel by its index along each axis; the voxel whose lower corner is the origin of the band is
-/// 0, 0, 0.
+/// Index of a voxel along each axis. The voxel whose lower corner is the origin of the band is 0,
+/// 0, 0.
 using Voxel = std::array<std::int32_t, 3>;
 
 /// The band of a cloud (Memoli and Sapiro): the union of balls around its points, rasterized. A
@@ -30,20 +30,20 @@ using Voxel = std::array<std::int32_t, 3>;
 class DGG_CORE_EXPORT VoxelBand
 {
 public:
-  /// Maximum number of voxels along one axis: a key has 21 bits per axis for bricks, minus one
-  /// brick on each side.
+  /// Maximum number of voxels along one axis. A key has 21 bits per axis for bricks, and one brick
+  /// on each side is reserved.
   static constexpr std::int32_t MaximumResolution = (1 << 24) - 16;
 
   VoxelBand() = default;
   VoxelBand(VoxelBand&&) = default;
   VoxelBand& operator=(VoxelBand&&) = default;
 
-  /// Marks the balls. `radii` holds one radius per point. A ball that contains no voxel center
-  /// marks the voxel of its point and the six neighbors. Points and radii must be finite. Fails if
-  /// the voxels are so small that there are too many, or if the band would exceed `memoryLimit`
-  /// bytes (0: no limit); the limit is checked before memory is allocated, and early if balls are
-  /// large. The result does not depend on `parallel`. The band is empty on failure, and if
-  /// `progress` returns false. `remedy` is the advice in messages about too many voxels.
+  /// Builds the band by marking the voxels in balls. `radii` holds one radius per point. A ball
+  /// that contains no voxel center marks the voxel of its point and the six neighbors. Points and
+  /// radii must be finite. Fails if the number of voxels is too large, or if the band would exceed
+  /// `memoryLimit` bytes (0: no limit). The limit is checked before memory is allocated, and early
+  /// if balls are large. The result does not depend on `parallel`. The band is empty on failure,
+  /// and if `progress` returns false. `remedy` is the advice in messages about too many voxels.
   Status Build(const std::vector<Point3>& points, const std::vector<double>& radii,
     double voxelSize, std::size_t memoryLimit, const ParallelFor& parallel,
     const ProgressCallback& progress = {}, const std::string& remedy = "Use larger voxels");
@@ -53,7 +53,7 @@ public:
 
   double GetVoxelSize() const { return this->VoxelSize; }
   const Point3& GetOrigin() const { return this->Origin; }
-  /// Number of voxels along the longest side of the bounding box of the band.
+  /// Returns the number of voxels along the longest side of the bounding box of the band.
   std::int32_t GetResolution() const { return this->Resolution; }
   std::size_t GetNumberOfBricks() const { return this->Keys.size(); }
   std::size_t GetNumberOfVoxels() const;
@@ -96,7 +96,7 @@ public:
   /// The result is symmetric.
   bool ContainsSegment(const Point3& from, const Point3& to) const;
 
-  // For traversals that look up each brick once.
+  // Functions for traversals that look up each brick once.
 
   static std::uint64_t BrickKey(const Voxel& voxel)
   {
@@ -112,7 +112,7 @@ public:
         std::memory_order_relaxed);
     return word >> (8 * (voxel[1] & 7) + (voxel[0] & 7)) & 1;
   }
-  /// Returns the index of a voxel in a list of all voxels, marked or not, of all bricks.
+  /// Returns the index of a voxel in the list of all voxels, marked or not, of all bricks.
   static std::size_t PlaceOf(std::int64_t brick, const Voxel& voxel)
   {
     return 512 * static_cast<std::size_t>(brick) +

@@ -14,9 +14,9 @@
 namespace dgg
 {
 /// Field of a virtual source, in polar coordinates around its vertex. The surface around the vertex
-/// is a cone: the straight line to the source passes the tip on the side with the smaller angle, or
-/// leads through the tip if the angle is at least pi on both sides. The field is therefore
-/// continuous across the faces of the vertex.
+/// is a cone. The straight line to the source passes the tip of the cone on the side with the
+/// smaller angle, or leads through the tip if the angle is at least pi on both sides. The field is
+/// therefore continuous across the faces of the vertex.
 struct CornerModel : VirtualSource
 {
   double Total = 0.0;   ///< total angle of the vertex
@@ -32,14 +32,14 @@ struct CornerModel : VirtualSource
   {
   }
 
-  /// The model of a virtual source, shifted to have the given distance at the vertex.
+  /// Constructs the model of a virtual source, shifted to have the given distance at the vertex.
   CornerModel(const SurfaceMesh& mesh, Id v, const VirtualSource& source, double distance)
     : CornerModel(mesh, v, { distance - source.Length, source.Length, source.Angle })
   {
   }
 
-  /// Returns the angle from the direction at polar angle `phi` to that of the source, on the side
-  /// where it is smaller.
+  /// Returns the signed angle from the direction at polar angle `phi` to the direction of the
+  /// source, radians, on the side with the smaller angle.
   double AngleFrom(double phi) const
   {
     const double angle = this->Angle - phi;
@@ -61,7 +61,7 @@ struct CornerModel : VirtualSource
 
     double At(double rho) const
     {
-      // The law of cosines, accurate for small angles.
+      // Law of cosines, in a form that is accurate for small angles.
       const double difference = this->Length - rho;
       return this->Offset + std::sqrt(difference * difference + this->Length * rho * this->Bend);
     }

@@ -16,19 +16,19 @@ namespace dgg
 /// - With windows the distance is exact (Mitchell, Mount and Papadimitriou, "The discrete geodesic
 ///   problem", 1987): within a face it is the minimum over the windows through which a point is
 ///   visible, the paths through corners, and the sources in the face.
-/// - With virtual sources, each corner k of a face has a model M_k of the distance around it
-///   (dggCornerModel.h). Where M_k predicts less than the distance d_j at another corner j, the
-///   source of k is not visible there; M_k is raised by the deficit, in proportion to the
+/// - With virtual sources, each corner k of a face has a model M_k of the distance around the
+///   corner (dggCornerModel.h). If M_k predicts less than the distance d_j at another corner j, the
+///   source of k is not visible from j; M_k is raised by the deficit, in proportion to the
 ///   barycentric coordinate of j. The path through the corner, d_k plus the length of the straight
-///   line from k, is raised in the same manner; it predicts too little at j if the values are not
-///   distances. The estimate of corner k is the smaller of the two, or the path through k if M_k is
-///   undefined. The distance in the face is the minimum over the three corners, but at least d_j
-///   minus the length of the straight line from j, because a raised M_k may grow too fast. This
-///   reproduces arcs and ridges, and interpolates the given values at the corners. On an edge the
-///   distance is the minimum over all reached faces of the edge, which may be less than the
-///   distance in one of them, since the wavefront may arrive through any of them.
-/// - Without either, the distance is linear; the same holds in faces without a corner that has a
-///   model.
+///   line from k, is raised in the same manner; its prediction at j is too small if the values are
+///   not distances. The estimate of corner k is the smaller of the two, or the path through k if
+///   M_k is undefined. The distance in the face is the minimum over the three corners, but at least
+///   d_j minus the length of the straight line from j, because a raised M_k may grow too fast. This
+///   method reproduces arcs and ridges, and interpolates the given values at the corners. On an
+///   edge the distance is the minimum over all reached faces of the edge, which may be less than
+///   the distance in one of the faces, since the wavefront may arrive through any of them.
+/// - Without windows and virtual sources, the distance is linear; it is also linear in faces
+///   without a corner that has a model.
 struct DistanceField
 {
   const SurfaceMesh* Mesh = nullptr;
@@ -55,12 +55,12 @@ struct FieldSample
 {
   double Distance = Infinity;
   Point2 Gradient; ///< points away from the source; unit length unless linear
-  /// The image of the source in the same plane: the level sets are circles around it, of radius
+  /// Image of the source in the same plane. The level sets are circles around this image, of radius
   /// level - Offset. Undefined unless HasImage.
   Point2 Image;
   double Offset = 0.0;
   bool HasImage = false;
-  /// Id of the candidate that attains the minimum: equal for two samples of a profile if they
+  /// Id of the candidate that attains the minimum. Two samples of a profile have equal ids if they
   /// belong to the same smooth piece.
   Id Candidate = NoId;
 };

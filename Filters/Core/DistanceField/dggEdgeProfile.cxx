@@ -14,7 +14,8 @@ namespace dgg
 {
 namespace
 {
-/// A point this close to the end of a window is visible through it, relative (dggWindow.h).
+/// Tolerance of visibility through a window: a point this close to the end of a window is visible
+/// through the window. Relative (dggWindow.h).
 constexpr double WindowSlack = 1e-9;
 /// Number of intervals into which an edge is divided to find extrema between models.
 constexpr int NumberOfModelBreaks = 8;
@@ -22,12 +23,12 @@ constexpr int NumberOfModelBreaks = 8;
 /// interval that is considered converged, relative to the edge length.
 constexpr double SlopeStep = 1e-3;
 constexpr double NarrowestCrest = 1e-10;
-/// Generous bound of the rounding error of a model, relative to the edge length and to the
-/// distance.
+/// Upper bound, with a margin, of the rounding error of a model, relative to the edge length and to
+/// the distance.
 constexpr double SlackOfLength = 1e-9;
 constexpr double SlackOfDistance = 1e-12;
-/// The search for a root stops at this relative difference from the level, or after the number of
-/// steps that bisection needs.
+/// Stopping criteria of the search for a root: relative difference from the level, and the number
+/// of steps that bisection needs.
 constexpr double Rounding = 4e-16;
 constexpr int MaximumSteps = 80;
 }
@@ -86,7 +87,7 @@ void EdgeProfile::CollectWindows(Id h)
   }
 }
 
-/// Sources in the face of the half-edge are visible from the entire edge.
+/// Collects the sources in the face of the half-edge, which are visible from the entire edge.
 void EdgeProfile::CollectSources(Id h)
 {
   const SurfaceMesh& mesh = *this->Field.Mesh;
@@ -105,8 +106,8 @@ void EdgeProfile::CollectSources(Id h)
   }
 }
 
-/// Collects what reaches a boundary edge from within its face: the apex, and the windows of the
-/// other two sides.
+/// Collects the pieces that reach a boundary edge from within its face: the path through the apex,
+/// and the windows of the other two sides.
 void EdgeProfile::CollectThroughFace(Id h)
 {
   const SurfaceMesh& mesh = *this->Field.Mesh;
@@ -122,8 +123,8 @@ void EdgeProfile::CollectThroughFace(Id h)
          w != this->Field.Windows->End(side); ++w)
     {
       const Point2 image = FromFrame(from, axis, w->Image);
-      // Intersection of the ray through a point of the side with the edge; the ray may diverge from
-      // the edge.
+      // Returns the intersection of the ray through a point of the side with the edge. The ray may
+      // diverge from the edge.
       auto meet = [&](double x) {
         const Point2 p = FromFrame(from, axis, { x, 0.0 });
         const double fall = image.Y - p.Y;
@@ -131,7 +132,7 @@ void EdgeProfile::CollectThroughFace(Id h)
         const double reach = fall > 0.0 ? image.X + (p.X - image.X) * (image.Y / fall) : away;
         return std::min(this->Length, std::max(0.0, reach));
       };
-      // From the destination of h towards its origin, as the sides are directed.
+      // Abscissae run from the destination of h towards its origin, in the direction of the sides.
       const double end = meet(w->Begin);
       const double begin = meet(w->End);
       if (begin < end)
@@ -143,8 +144,9 @@ void EdgeProfile::CollectThroughFace(Id h)
   }
 }
 
-/// Between the ends of windows and the feet of their images each distance is monotone, so that
-/// their minimum rises, falls, or rises up to a tie and falls from there.
+/// Divides the edge at the ends of windows, at the feet of their images, and at ties. Between ends
+/// and feet each distance is monotone, so that the minimum rises, falls, or rises up to a tie and
+/// falls behind the tie.
 void EdgeProfile::FindWindowBreaks()
 {
   std::vector<double>& breaks = this->Breaks;
@@ -163,7 +165,9 @@ void EdgeProfile::FindWindowBreaks()
       add(piece.Image.X);
     }
   }
-  add(0.5 * (this->Length + this->Ends[1] - this->Ends[0])); // where the paths along the edge meet
+  add(0.5 *
+    (this->Length + this->Ends[1] -
+      this->Ends[0])); // abscissa at which the paths along the edge from both ends tie
   breaks.push_back(0.0);
   breaks.push_back(this->Length);
   std::sort(breaks.begin(), breaks.end());
@@ -178,8 +182,8 @@ void EdgeProfile::FindWindowBreaks()
   }
 }
 
-/// Returns the smallest distance among the functions that rise between two adjacent breaks, minus
-/// that among the falling ones, at an abscissa between these breaks.
+/// Returns, at an abscissa between two adjacent breaks, the smallest of the distances that rise
+/// between these breaks minus the smallest of the falling distances.
 double EdgeProfile::ExcessOfRising(double begin, double end, double x) const
 {
   double rising = this->Ends[0] + x;
@@ -195,7 +199,8 @@ double EdgeProfile::ExcessOfRising(double begin, double end, double x) const
   return rising - falling;
 }
 
-/// Finds the abscissa where a rising and a falling distance tie: a ridge crosses the edge there.
+/// Finds the abscissa where a rising and a falling distance tie, because a ridge crosses the edge.
+/// Returns false if no such tie exists.
 bool EdgeProfile::FindPeak(double begin, double end, double& peak) const
 {
   if (!(this->ExcessOfRising(begin, end, begin) < 0.0) ||
@@ -234,7 +239,7 @@ void EdgeProfile::SetUpModels()
 }
 
 /// Sets up the faces of the edge. Without the models of their opposite corners, the edge would have
-/// a crest where a wavefront crosses it, inconsistent with the faces.
+/// a crest where a wavefront crosses the edge, inconsistent with the faces.
 void EdgeProfile::SetUpOpposites()
 {
   this->NumberOfOpposites = 0;
@@ -275,7 +280,7 @@ void EdgeProfile::SetUpOpposites()
     (this->HasLinearFace || this->NumberOfOpposites == 0);
 }
 
-/// Returns the raised model of an end (dggDistanceField.h).
+/// Returns the distance at an abscissa by the raised model of an end (dggDistanceField.h).
 double EdgeProfile::ModelAt(int end, double x) const
 {
   const double rho = end == 0 ? x : this->Length - x;
@@ -292,8 +297,8 @@ void EdgeProfile::FindModelBreaks()
   }
 }
 
-/// A model changes at most as fast as the distance from its source plus the amount by which it is
-/// raised.
+/// Computes the Lipschitz constant. A model changes at most as fast as the distance from its source
+/// plus the amount by which the model is raised.
 void EdgeProfile::FindSteepness()
 {
   double raise = std::abs(this->Ends[1] - this->Ends[0]) - this->Length; // of linear fields
@@ -320,8 +325,8 @@ double EdgeProfile::AtBreak(std::size_t i)
   return state.Distance;
 }
 
-/// Finds the crest between a break and the next one: where the models of both ends meet, the
-/// distance rises from either side.
+/// Finds and returns the crest between a break and the next one, where the models of both ends meet
+/// and the distance rises from either side.
 const EdgeProfile::BreakState& EdgeProfile::FindCrest(std::size_t i)
 {
   BreakState& state = this->BreakStates[i];
@@ -403,8 +408,8 @@ void EdgeProfile::FindCrossings(double level, std::vector<double>& crossings)
   }
 }
 
-/// Bisects the interval between two breaks of models, skipping parts that cannot reach the level:
-/// most of an edge.
+/// Bisects the interval between two breaks of models. Skips subintervals that cannot reach the
+/// level, which make up most of an edge.
 void EdgeProfile::CrossBetweenBreaks(
   double level, std::size_t first, std::size_t last, std::vector<double>& crossings)
 {

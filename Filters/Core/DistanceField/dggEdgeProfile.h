@@ -16,12 +16,12 @@
 
 namespace dgg
 {
-/// The distance along an edge as a function of one variable. It depends on the edge only, not on
-/// the face from which it is evaluated, so that results are bitwise identical for all faces of the
-/// edge. An object can be reused for other edges, which saves allocations.
+/// The distance along an edge as a function of one variable. The function depends on the edge only,
+/// not on the face from which the function is evaluated, so that results are bitwise identical for
+/// all faces of the edge. An object can be reused for other edges, which saves allocations.
 ///
 /// With windows, the cost of Enter() is quadratic in the number of windows and sources in the faces
-/// of the edge. That number is small, except for faces with hundreds of sources.
+/// of the edge. This number is small, except for faces with hundreds of sources.
 class DGG_CORE_EXPORT EdgeProfile
 {
 public:
@@ -38,16 +38,17 @@ public:
   Id GetHalfEdge() const { return this->HalfEdge; }
   double GetLength() const { return this->Length; }
 
-  /// Returns the distance at an abscissa. At the ends it is that of the vertex.
+  /// Returns the distance at an abscissa. At the ends, the result is the distance of the vertex.
   double At(double x) const;
 
-  /// Returns abscissae from 0 to the length that separate the extrema of the distance. With windows
-  /// there is no extremum between consecutive abscissae, up to rounding. Without windows there is
-  /// rarely more than one, which FindCrossings() searches where needed.
+  /// Returns abscissae from 0 to the length that separate the extrema of the distance. With
+  /// windows, no extremum lies between consecutive abscissae, up to rounding. Without windows,
+  /// rarely more than one extremum lies between them; FindCrossings() searches such extrema when
+  /// necessary.
   const std::vector<double>& GetBreaks() const { return this->Breaks; }
 
   /// Appends the abscissae, in increasing order, at which the distance crosses `level` (points at
-  /// the level count as above). Their number is even iff both ends are on the same side.
+  /// the level count as above). The number of crossings is even iff both ends are on the same side.
   void FindCrossings(double level, std::vector<double>& crossings);
 
 private:
@@ -84,8 +85,8 @@ private:
     double Height;
   };
 
-  /// Lazily computed values: the distance at a break and at the crest between it and the next
-  /// break.
+  /// Lazily computed values: the distance at a break, and at the crest between this break and the
+  /// next one.
   struct BreakState
   {
     double Distance = 0.0;

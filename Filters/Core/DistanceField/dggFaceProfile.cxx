@@ -12,14 +12,15 @@ namespace dgg
 {
 namespace
 {
-/// A point this close to the border of a window is visible through it, relative (dggWindow.h).
+/// Tolerance of visibility through a window: a point this close to the border of a window is
+/// visible through the window. Relative (dggWindow.h).
 constexpr double WindowSlack = 1e-9;
 
 /// Relative deficit below which a model is exact.
 constexpr double Rounding = 1e-13;
 
-/// Index of the first candidate of models, after the paths through three corners, and of the first
-/// lower bound.
+/// Indices of the first candidate of models, after the paths through three corners, and of the
+/// first lower bound.
 constexpr Id FirstImageCandidate = 3;
 constexpr Id LeastCandidate = 9;
 
@@ -28,7 +29,7 @@ double LargestOf(const std::array<double, 3>& values)
   return std::max({ std::abs(values[0]), std::abs(values[1]), std::abs(values[2]) });
 }
 
-/// Returns the field of one source.
+/// Returns the field of one source at point p.
 FieldSample FromSource(const Point2& image, double offset, const Point2& p)
 {
   FieldSample sample;
@@ -177,8 +178,8 @@ void FaceProfile::SetUpModels()
     {
       continue;
     }
-    // Measured: excluding models with large deficits, or replacing them by linear faces, increases
-    // errors on CAD models and scans.
+    // Measured on CAD models and scans: excluding models with large deficits, or replacing them by
+    // linear faces, increases errors.
     this->FindSources(k);
     for (const int j : { (k + 1) % 3, (k + 2) % 3 })
     {
@@ -206,7 +207,8 @@ void FaceProfile::SetUpModels()
 }
 
 /// Finds the images of the source of corner k that are less than pi away from some direction into
-/// the face, on the side of the corner with the smaller angle (CornerModel::AngleFrom()).
+/// the face. Angles are measured on the side of the corner with the smaller angle
+/// (CornerModel::AngleFrom()).
 void FaceProfile::FindSources(int k)
 {
   const CornerModel& model = this->Models[k];
@@ -274,8 +276,8 @@ double FaceProfile::GetLargestRaise(int k) const
 
 bool FaceProfile::MayHavePeak() const
 {
-  // Gradients at the center of the face; if they lie in one half-plane, the distance increases in
-  // that direction.
+  // Compare the gradients at the center of the face. If they lie in one half-plane, the distance
+  // increases along the inner normal of the half-plane.
   const std::array<double, 3> b{ { 1.0 / 3.0, 1.0 / 3.0, 1.0 / 3.0 } };
   const Point2 middle = this->PlaceOf(b);
   std::vector<Point2> gradients;
@@ -318,7 +320,7 @@ FieldSample FaceProfile::SampleAt(const Point2& p) const
   return this->HasModels ? this->FromModels(p) : this->Linear(p);
 }
 
-/// Returns the path through a corner.
+/// Returns the field of the path through a corner.
 FieldSample FaceProfile::FromCorner(int k, const Point2& p) const
 {
   FieldSample sample = FromSource(this->Corners[k], this->Distances[k], p);
@@ -374,7 +376,7 @@ FieldSample FaceProfile::FromWindows(const Point2& p) const
   return best;
 }
 
-/// Returns the raised model of a corner, or the raised path through the corner
+/// Returns the smaller of the raised model of a corner and the raised path through the corner
 /// (dggDistanceField.h).
 FaceProfile::Wave FaceProfile::FromModel(
   int k, const Point2& p, const std::array<double, 3>& barycentric) const
@@ -394,8 +396,8 @@ FaceProfile::Wave FaceProfile::FromModel(
     }
     wave.Distance = Raised(wave.Distance, this->Missing[k], barycentric);
   }
-  // The path through the corner is the only one where the source is behind the corner; its deficit
-  // must not end there abruptly.
+  // Behind the corner, the path through the corner is the only path from the source. Its deficit
+  // must not end abruptly at the border of this region.
   const double over =
     Raised(this->Distances[k] + Distance(p, this->Corners[k]), this->MissingOver[k], barycentric);
   if (over < wave.Distance)

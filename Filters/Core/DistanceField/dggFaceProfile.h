@@ -14,10 +14,10 @@
 
 namespace dgg
 {
-/// The distance inside a face as a function in the plane, in the frame of half-edge 3f. On the
-/// boundary of the face it equals that of EdgeProfile up to rounding if it comes from windows or is
-/// linear; with models, the distance of EdgeProfile may be shorter, through another face of the
-/// edge. An object can be reused for other faces, which saves allocations.
+/// The distance inside a face as a function in the plane, in the frame of half-edge 3f. If the
+/// distance comes from windows or is linear, it equals the distance of EdgeProfile on the boundary
+/// of the face, up to rounding. With models, the distance of EdgeProfile may be shorter, through
+/// another face of the edge. An object can be reused for other faces, which saves allocations.
 class DGG_CORE_EXPORT FaceProfile
 {
 public:
@@ -38,11 +38,11 @@ public:
   /// Returns the distance at a point of the face.
   double At(const Point2& p) const { return this->SampleAt(p).Distance; }
   FieldSample SampleAt(const Point2& p) const;
-  /// Samples a single candidate of models, even where another candidate is nearer.
+  /// Returns the field of a single candidate of models, even if another candidate is nearer.
   FieldSample SampleOfCandidate(Id candidate, const Point2& p) const;
 
-  /// Returns true if the distance comes from models of the corners; the distance from a single
-  /// model at a point.
+  /// Returns true if the distance comes from models of the corners (IsModelled), or the distance
+  /// from a single model at a point (ModelAt).
   /// @{
   bool IsModelled() const { return this->HasModels; }
   double ModelAt(int k, const Point2& p) const
@@ -52,8 +52,8 @@ public:
   /// @}
   /// Returns the largest amount by which the model of a corner is raised at another corner.
   double GetLargestRaise(int k) const;
-  /// Lower bound of the distance at a point, and the corner that implies it. -Infinity if no model
-  /// is raised, because then no model is below the bound.
+  /// Lower bound of the distance at a point, and the corner that implies the bound. The bound is
+  /// -Infinity if no model is raised, because no model is then below the bound.
   struct LowerBound
   {
     double Distance = -Infinity;
@@ -62,7 +62,7 @@ public:
   LowerBound GetLowerBound(const Point2& p) const;
 
   /// Returns true if the face may contain a local maximum, because wavefronts arrive from all
-  /// sides. Conservative: true if in doubt.
+  /// sides. The test is conservative: true if in doubt.
   bool MayHavePeak() const;
 
   /// Returns the sources inside the face or on its edges.
@@ -83,21 +83,22 @@ private:
   struct SeenSource
   {
     Point2 Image;
-    /// 0 if visible from the entire face. Otherwise visible from one side of the line through image
-    /// and corner: the sign of the cross product of the vectors from the corner to the image and to
-    /// the point.
+    /// 0 if the source is visible from the entire face. Otherwise the source is visible from one
+    /// side of the line through image and corner; the value is the sign of the cross product of the
+    /// vectors from the corner to the image and to the point.
     double Side;
   };
 
-  /// One virtual source, or two if the cut of the cone around the corner runs through the face.
+  /// Images of one virtual source: one image, or two if the cut of the cone around the corner runs
+  /// through the face.
   struct SeenSources
   {
     std::array<SeenSource, 2> Sources;
     int Count = 0;
   };
 
-  /// Prediction of a corner at a point: a sample without the gradient, which is only needed for the
-  /// smallest of the three.
+  /// Prediction of a corner at a point: a sample without the gradient, which is needed only for the
+  /// smallest of the three predictions.
   struct Wave
   {
     double Distance = Infinity;

@@ -87,20 +87,20 @@ VirtualSource FindLastPiece(
   return start;
 }
 
-/// Replaces virtual sources by their predecessors where these are better.
+/// Replaces virtual sources by their predecessors if the predecessors are better.
 ///
 /// The last straight segment of a path to a vertex starts at its relay: a vertex at which the path
-/// bends, or which it merely passes. Paths through the relay reach only a narrow wedge behind it;
-/// beside the wedge, distances are those from the virtual source of the relay itself, which may
-/// explain more distances around the vertex. Along the boundary of a hole the wedges are as narrow
-/// as the segments are short, and faces may be long.
+/// bends, or through which the path runs straight. Paths through the relay reach only a narrow
+/// wedge behind the relay. Beside the wedge, distances are measured from the virtual source of the
+/// relay itself, which may explain more distances around the vertex. Along the boundary of a hole
+/// the wedges are as narrow as the segments are short, and faces may be long.
 ///
-/// The distances of neighbors decide. Where the model with the relay overestimates, another
-/// wavefront may be nearer; where the model of the preceding source underestimates, that source is
-/// not visible. Therefore the latter may only underestimate slightly in exchange for the distances
-/// that it explains.
+/// The distances of neighbors decide. If the model with the relay overestimates the distance of a
+/// neighbor, another wavefront may be nearer. If the model of the preceding source underestimates
+/// the distance, the preceding source is not visible from the neighbor. Therefore the preceding
+/// source may only underestimate slightly in exchange for the distances that it explains.
 ///
-/// `relays` is NoId where the virtual source is a source.
+/// `relays` is NoId for vertices whose virtual source is a source of the run.
 void MergeRelays(const SurfaceMesh& mesh, const std::vector<double>& distances,
   const std::vector<Id>& relays, const ParallelFor& parallel, VirtualSources& sources)
 {
@@ -112,7 +112,7 @@ void MergeRelays(const SurfaceMesh& mesh, const std::vector<double>& distances,
     const CornerModel before(mesh, v, { 0.0, longer, pieces[v].Angle }, distances[v]);
     return here.IsKnown && IsConfirmed(mesh, v, here, before, distances) ? longer : length;
   };
-  // The first pass uses the relays as found; the second one tests vertices behind merged relays.
+  // The first pass uses the relays as found; the second pass tests vertices behind merged relays.
   std::vector<double> lengths(relays.size());
   ForRange(
     parallel, static_cast<Offset>(relays.size()), VerticesPerTask, [&](Offset begin, Offset end) {

@@ -17,23 +17,23 @@ namespace
 constexpr Offset VerticesPerTask = 512;
 /// Vertices between two progress reports.
 constexpr Offset VerticesAtOnce = 16384;
-/// A neighbor whose residual is this fraction of the edge length has half the weight.
+/// Residual at which a neighbor has half the weight, as a fraction of the edge length.
 constexpr double SmallTolerance = 0.02;
-/// If the fit excludes a neighbor, it is repeated from a fit in which all neighbors count: with the
-/// tolerance multiplied by this factor.
+/// Factor of the tolerance in a wide fit, in which all neighbors count. If the narrow fit excludes
+/// a neighbor, it is repeated starting from the wide fit.
 constexpr double WideFactor = 25.0;
 constexpr double GoodMisfit = 0.2;
-/// Range of curvatures, divided by the mean length of the edges. The smallest one represents a
-/// plane wave: on closed surfaces and behind extended sources wavefronts are flatter than those of
-/// a point source at the same distance.
+/// Range of curvatures, divided by the mean length of the edges. The smallest curvature represents
+/// a plane wave: on closed surfaces and behind extended sources, wavefronts are flatter than
+/// wavefronts of a point source at the same distance.
 constexpr double SmallestCurvature = 1e-6;
 constexpr double LargestCurvature = 1e4;
 constexpr int MostSteps = 20;
 /// Damping of the steps, relative to the diagonal of the equations.
 constexpr double FirstDamping = 1e-3;
 constexpr double LargestDamping = 1e6;
-/// The fit has converged after a step shorter than this, in angle and in curvature times the mean
-/// length.
+/// Step length below which the fit has converged, in angle (radians) and in curvature times the
+/// mean length.
 constexpr double SmallestStep = 1e-8;
 /// Number of directions tried at a local minimum.
 constexpr int NumberOfDirections = 6;
@@ -60,7 +60,7 @@ struct SteepestDescent
   bool IsKnown = false; // true if the vertex and a neighbor have values
 };
 
-/// Finds the steepest descent of a field that is linear in faces; non-finite values are ignored.
+/// Returns the steepest descent of a field that is linear in faces. Non-finite values are ignored.
 SteepestDescent FindSteepestDescent(const SurfaceMesh& mesh, const double* values, Id v)
 {
   SteepestDescent best;
@@ -113,7 +113,8 @@ public:
   {
   }
 
-  /// Returns false if the vertex itself is the best virtual source.
+  /// Finds the best guess for vertex v. Returns false if the vertex itself is the best virtual
+  /// source.
   bool Fit(Id v, Guess& best);
 
 private:
@@ -133,8 +134,8 @@ private:
   Equations Evaluate(const Guess& guess) const;
   double MisfitOfVertex() const;
   double Improve(Guess& guess) const;
-  /// Geman-McClure penalty: bounded, so that a neighbor reached by another path adds a constant
-  /// cost and no gradient.
+  /// Returns the Geman-McClure penalty of a residual. The penalty is bounded, so that a neighbor
+  /// reached by another path adds a constant cost and no gradient.
   static double Penalty(double residual)
   {
     const double square = residual * residual;
@@ -177,7 +178,7 @@ double VertexFit::Predict(
   {
     return n.Length;
   }
-  // (sqrt(1 - 2 k l cos + k^2 l^2) - 1) / k, accurate for small k as well.
+  // (sqrt(1 - 2 k l cos + k^2 l^2) - 1) / k, in a form that is accurate for small k as well.
   const double cosine = std::cos(angle);
   const double bend = guess.Curvature * n.Length;
   const double root = std::sqrt((1.0 - bend) * (1.0 - bend) + 2.0 * bend * (1.0 - cosine));
@@ -190,7 +191,7 @@ double VertexFit::Predict(
   return rise;
 }
 
-/// Computes the misfit of a guess and the normal equations. The unknowns are the angle and the
+/// Returns the misfit of a guess and the normal equations. The unknowns are the angle and the
 /// curvature times the mean length.
 VertexFit::Equations VertexFit::Evaluate(const Guess& guess) const
 {
@@ -246,7 +247,7 @@ double VertexFit::Improve(Guess& guess) const
     next.Angle = guess.Angle + (e.Angle * cc - e.Curvature * ac) / determinant;
     if (this->Around.IsOpen)
     {
-      // The field may be truncated where it comes from beyond the boundary.
+      // A virtual source may lie beyond the boundary, where the field is truncated.
       next.Angle = std::min(this->Around.Total + Pi, std::max(-Pi, next.Angle));
     }
     next.Curvature =
@@ -307,7 +308,7 @@ bool VertexFit::Fit(Id v, Guess& best)
   const SteepestDescent descent = FindSteepestDescent(this->Mesh, this->Distances, v);
   if (descent.Slope > 0.0)
   {
-    // As if the entire distance came from one source.
+    // Initial guess: the entire distance comes from one source.
     const double curvature = 1.0 / std::max(this->MeanLength, std::abs(this->Distances[v]));
     attempt(descent.Angle, curvature, false);
     if (bestMisfit > GoodMisfit)

@@ -11,7 +11,7 @@
 
 namespace dgg
 {
-/// Virtual source of a vertex: near the vertex, the distance is about Offset plus the straight
+/// Virtual source of a vertex. Near the vertex, the distance is about Offset plus the straight
 /// distance from a point at the given polar coordinates around the vertex.
 struct VirtualSource
 {
@@ -22,7 +22,7 @@ struct VirtualSource
   double Angle = 0.0;
 };
 
-/// Per vertex; the values of unreached vertices are unspecified.
+/// Virtual sources per vertex; the entries of unreached vertices are unspecified.
 using VirtualSources = std::vector<VirtualSource>;
 }
 

@@ -15,20 +15,20 @@ namespace dgg
 {
 namespace
 {
-/// Voxels around a source, per axis and on its layer, that are initialized with straight distances,
-/// because finite differences are inaccurate where distances have high curvature.
+/// Radius, in voxels per axis, of the region around a source and on its layer that is initialized
+/// with straight distances. Finite differences are inaccurate where distances have high curvature.
 constexpr std::int32_t StartRadius = 2;
-/// Distance in voxels by which the march continues beyond the limit: indices of the voxels around a
-/// position differ by at most one along each axis.
+/// Distance, in voxels, by which the march continues beyond the limit. Indices of the voxels around
+/// a position differ by at most one along each axis.
 constexpr double BeyondLimit = 3.0;
-/// Diagonal of a voxel: bound of the error of interpolated distances close to a source, on its
-/// layer.
+/// Diagonal of a voxel. Bounds the error of interpolated distances close to a source, on the layer
+/// of the source.
 constexpr double Diagonal = 1.7320508075688772;
 constexpr std::size_t VoxelsPerReport = 4096;
 constexpr std::array<std::int32_t, 3> Strides{ { 1, 8, 64 } };
 
-/// Returns the distance that solves |grad d| = 1, given the smaller neighbor along each axis, in
-/// voxels.
+/// Returns the distance that solves |grad d| = 1, in voxels. `values` holds the smaller neighbor
+/// along each axis.
 double SolveUpwind(std::array<double, 3> values)
 {
   std::sort(values.begin(), values.end());
@@ -98,7 +98,7 @@ public:
     }
   }
 
-  /// Returns false if stopped.
+  /// Marches up to a distance limit. Returns false if stopped.
   bool Run(double limit, const ProgressCallback& progress)
   {
     const auto numberOfVoxels = static_cast<double>(this->Band.GetNumberOfVoxels());
@@ -128,9 +128,9 @@ public:
     return true;
   }
 
-  /// Interpolates trilinearly between the centers of reached marked voxels; the weights of other
-  /// voxels are distributed among them. Around the source of the nearest voxel, returns the
-  /// straight distance.
+  /// Returns the distance at a position, interpolated trilinearly between the centers of reached
+  /// marked voxels. The weights of other voxels are distributed among them. Around the source of
+  /// the nearest voxel, returns the straight distance.
   Arrival Interpolate(const Point3& place) const
   {
     const Point3 inGrid = this->Band.ToGrid(place);
@@ -180,8 +180,8 @@ public:
   }
 
 private:
-  /// Initializes the voxel of the band that is closest to a source, and the voxels connected to it
-  /// around the source; others are on another layer.
+  /// Initializes the voxel of the band that is closest to a source, and the voxels around the
+  /// source that are connected to this voxel. Other voxels are on another layer.
   void Start(std::size_t k)
   {
     const Point3& source = this->Places[k];
@@ -222,8 +222,8 @@ private:
     }
   }
 
-  /// Returns the marked voxel on a side, or -1. Sides 2k and 2k+1 are before and after along axis
-  /// k.
+  /// Returns the index of the marked neighbor on a side, or -1. Sides 2k and 2k+1 are before and
+  /// after the voxel along axis k.
   std::int64_t Step(std::size_t place, int side) const
   {
     const int axis = side / 2;

@@ -25,7 +25,7 @@ struct BandSource
 
 struct BandMarchingOptions
 {
-  /// Positions farther than this may be left unreached.
+  /// Positions farther than this distance may be left unreached.
   double MaximumDistance = Infinity;
   ProgressCallback Progress; ///< may be empty
 };
@@ -38,13 +38,13 @@ struct BandMarchingResult
 
 /// Fast marching in a band (Memoli and Sapiro, "Fast computation of weighted distance functions and
 /// geodesics on implicit hyper-surfaces", 2001): solves the Eikonal equation |grad d| = 1 on the
-/// voxels of a band by first-order upwind differences. Distances in the band differ from those on
-/// the surface by an amount proportional to the square root of the band width. Together with the
-/// first-order discretization this causes errors of a few per cent.
+/// voxels of a band by first-order upwind differences. Distances in the band differ from distances
+/// on the surface by an amount proportional to the square root of the band width. In combination
+/// with the first-order discretization, this difference causes errors of a few per cent.
 class DGG_CORE_EXPORT BandMarching
 {
 public:
-  /// The band must outlive the object.
+  /// Prepares marching in a band, which must outlive the object.
   explicit BandMarching(const VoxelBand& band);
 
   /// Returns the size in bytes of marching in a band of `bricks` bricks, without the queue of the
@@ -57,9 +57,10 @@ public:
   /// Returns true if distances can start at a position, because a voxel of the band is close.
   bool IsNear(const Point3& place) const;
 
-  /// Computes the distances of positions from the nearest source. Positions within the initial
-  /// voxels of a source, on its layer, get their straight distance. Fails if there is no source, or
-  /// a source is not finite or not near the band. May be called by several threads simultaneously.
+  /// Computes the distances of positions from the nearest source. A position within the initial
+  /// voxels of a source, on the layer of the source, gets its straight distance. Fails if there is
+  /// no source, or if a source is not finite or not near the band. May be called by several threads
+  /// simultaneously.
   Status Run(const std::vector<BandSource>& sources, const std::vector<Point3>& places,
     const BandMarchingOptions& options, BandMarchingResult& result) const;
 

@@ -14,7 +14,7 @@ namespace dgg
 {
 namespace
 {
-/// Maximum number of faces in a strip; more are needed only among many slivers.
+/// Maximum number of faces in a strip. Longer strips are needed only among many slivers.
 constexpr int LongestStrip = 100;
 
 /// The current edge of a strip that starts at a corner, the origin of the plane.
@@ -28,7 +28,7 @@ struct StripEdge
 }
 
 /// A triangle through which a front may reach its apex: a face, or an unfolded triangle across
-/// several faces. As seen from the apex, `Left` follows `Right` counter-clockwise.
+/// several faces. Seen from the apex, `Left` follows `Right` counter-clockwise.
 struct MarchingTriangle
 {
   Id Apex;
@@ -41,9 +41,10 @@ struct MarchingTriangle
 };
 
 /// For every obtuse corner of a mesh, the triangles between the corner and a vertex beyond the
-/// opposite edge, in the plane of the face, so that they are not obtuse at the corner (Kimmel and
-/// Sethian 1998, section 4). A strip of faces is unfolded for that; it fails at the boundary and
-/// where no vertex splits the angle. Across a non-manifold edge there is one strip per face.
+/// opposite edge, in the plane of the face, chosen so that they are not obtuse at the corner
+/// (Kimmel and Sethian 1998, section 4). Each triangle is found by unfolding a strip of faces,
+/// which fails at the boundary and if no vertex splits the angle. Across a non-manifold edge there
+/// is one strip per face.
 class UnfoldedTriangles
 {
 public:
@@ -52,7 +53,7 @@ public:
   /// Returns the triangle of the corner at the origin of a half-edge.
   static MarchingTriangle FromFace(const SurfaceMesh& mesh, Id h);
 
-  /// Returns the triangles whose base has the vertex at one end.
+  /// Returns the range of the triangles that have the vertex at one end of the base.
   const Id* Begin(Id vertex) const { return this->ByVertex.data() + this->Offsets[vertex]; }
   const Id* End(Id vertex) const { return this->ByVertex.data() + this->Offsets[vertex + 1]; }
   const MarchingTriangle& Get(Id i) const { return this->Triangles[i]; }
@@ -106,7 +107,7 @@ void UnfoldedTriangles::Split(const SurfaceMesh& mesh, Id h)
   const Id next = SurfaceMesh::Next(h);
   const Point2 right{ mesh.Length(h), 0.0 };
   const Point2 left{ mesh.ApexX(h), mesh.ApexY(h) };
-  // Directions that leave no obtuse angle: at most pi/2 from both sides.
+  // Returns true if a direction leaves no obtuse angle: at most pi/2 from both sides.
   const auto splits = [&](const Point2& p) {
     return Dot(p, right) >= 0.0 && Dot(p, left) >= 0.0 && Cross(right, p) > 0.0 &&
       Cross(p, left) > 0.0;
@@ -117,7 +118,7 @@ void UnfoldedTriangles::Split(const SurfaceMesh& mesh, Id h)
     Id entered = first;
     for (int step = 0; step < LongestStrip && entered != NoId; ++step)
     {
-      // In a frame directed from Right to Left.
+      // The frame of the strip edge is directed from Right to Left.
       const bool isMirrored =
         mesh.Origin(entered) == edge.LeftVertex && mesh.Destination(entered) == edge.RightVertex;
       const EnteredFace face(mesh, entered, isMirrored);
@@ -138,7 +139,7 @@ void UnfoldedTriangles::Split(const SurfaceMesh& mesh, Id h)
           distance, Norm(left.X, left.Y), direction + std::atan2(apex.Y, apex.X) });
         break;
       }
-      // Leave through the edge that the allowed directions cross.
+      // Leave the face through the edge that the allowed directions cross.
       const bool isLeft =
         Dot(apex, left) < 0.0 || Cross(right, apex) <= 0.0; // passes left of the apex
       const Id exit = isLeft ? face.RightEdge : face.LeftEdge;
@@ -178,15 +179,16 @@ struct Front
   Id Source = NoId;
 };
 
-/// Arrival of a front at the apex of a triangle whose base lies on the axis, starting from the
-/// right end, with the apex above.
+/// Arrival of a front at the apex of a triangle. The base lies on the x axis and starts at its
+/// right end; the apex lies above.
 struct Arrival
 {
   double Distance = Infinity;
   Point2 From; ///< direction from the apex towards the center, not normalized
 };
 
-/// Arrival from a center at the distances a and b from the ends of the base.
+/// Computes the arrival from a center at the distances a and b from the ends of the base. Returns
+/// false if the front does not reach the apex through the base.
 bool MeetSpherical(double base, const Point2& apex, double a, double b, Arrival& arrival)
 {
   if (!(base <= a + b) || std::abs(a - b) > base)
@@ -206,7 +208,8 @@ bool MeetSpherical(double base, const Point2& apex, double a, double b, Arrival&
   return true;
 }
 
-/// Arrival of a planar front with the distances a and b at the ends of the base.
+/// Computes the arrival of a planar front with the distances a and b at the ends of the base.
+/// Returns false if the front does not reach the apex through the base.
 bool MeetPlanar(double base, const Point2& apex, double a, double b, Arrival& arrival)
 {
   const double slope = (b - a) / base;
@@ -268,7 +271,7 @@ public:
     }
   }
 
-  /// Returns false if stopped.
+  /// Marches up to a radius. Returns false if stopped.
   bool Run(double radius, const ProgressCallback& progress)
   {
     Id finished = 0;
@@ -309,13 +312,13 @@ private:
     if (!this->IsFinal[v] && front.Distance < this->Fronts[v].Distance)
     {
       this->Fronts[v] = front;
-      // Distances below the final ones do not violate the order of the queue.
+      // The key is at least the current distance, so that the order of the queue is kept.
       this->Heap.Push(std::max(front.Distance, now), v);
     }
   }
 
-  /// Updates, from a source in the face of h, the corners of the faces behind that edge by straight
-  /// lines: for a source close to the edge these are nearer than the ends of the edge.
+  /// Updates the corners of the faces behind edge h from a source in the face of h, by straight
+  /// lines. For a source close to the edge, these corners may be nearer than the ends of the edge.
   void LookAcross(Id h, const Point2& place, Front front)
   {
     ForEachFaceBehind(this->Mesh, h, false, [&](Id t, bool isMirrored) {
@@ -332,7 +335,7 @@ private:
     });
   }
 
-  /// Returns true if a front that passes the vertex restarts from there.
+  /// Returns true if a front that passes the vertex restarts at the vertex.
   bool Bends(Id v) const
   {
     const VertexKind kind = this->Mesh.Kind(v);
@@ -345,7 +348,7 @@ private:
   {
     Front front = this->Fronts[v];
     const double distance = front.Distance;
-    // A source at the vertex is the center already.
+    // A source at the vertex is already the center of the front.
     if (this->Bends(v) && distance > front.Offset)
     {
       front.Offset = distance;
@@ -353,7 +356,7 @@ private:
     }
     for (const Id* g = this->Mesh.FanBegin(v); g != this->Mesh.FanEnd(v); ++g)
     {
-      // Both edges of the face at v, in the directions seen from their other ends.
+      // Both edges of the face at v are used, in the directions seen from their other ends.
       const Id next = SurfaceMesh::Next(*g);
       const Id previous = SurfaceMesh::Previous(*g);
       front.Distance = distance + this->Mesh.Length(*g);

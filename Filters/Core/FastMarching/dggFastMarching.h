@@ -44,15 +44,15 @@ struct MarchingResult
 };
 
 /// Fast marching (Kimmel and Sethian, "Computing geodesic paths on manifolds", 1998) on one mesh,
-/// which must outlive the object. Vertices become final in order of their distances, each updated
-/// from triangles with two final corners. At obtuse corners the faces beyond are unfolded until a
-/// vertex splits the angle into two that are not obtuse. The error is unbounded; 0.1 to 1 % on
-/// average is usual.
+/// which must outlive the object. Vertices become final in order of their distances; each vertex is
+/// updated from triangles with two final corners. At obtuse corners the faces beyond the opposite
+/// edge are unfolded until a vertex splits the angle into two that are not obtuse. The error is
+/// unbounded; 0.1 to 1 % on average is usual.
 ///
-/// A front that passes a vertex where geodesics may bend (saddle, boundary, irregular) continues as
-/// a circle around that vertex. Where fronts with different centers meet in one triangle, the one
-/// with the smaller distance at its center is used; if they come from sources with different
-/// initial distances, both are propagated along the edges only.
+/// If geodesics may bend at a vertex (saddle, boundary, irregular), a front that passes the vertex
+/// continues as a circle around the vertex. If fronts with different centers meet in one triangle,
+/// the front with the smaller distance at its center is used. If these fronts come from sources
+/// with different initial distances, both are propagated along the edges only.
 ///
 /// Any triangle complex is accepted: fronts cross into all faces of a non-manifold edge. Run() may
 /// be called by several threads simultaneously.
