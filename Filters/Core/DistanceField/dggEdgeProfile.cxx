@@ -165,9 +165,7 @@ void EdgeProfile::FindWindowBreaks()
       add(piece.Image.X);
     }
   }
-  add(0.5 *
-    (this->Length + this->Ends[1] -
-      this->Ends[0])); // abscissa at which the paths along the edge from both ends tie
+  add(0.5 * (this->Length + this->Ends[1] - this->Ends[0])); // tie of the paths along the edge
   breaks.push_back(0.0);
   breaks.push_back(this->Length);
   std::sort(breaks.begin(), breaks.end());
