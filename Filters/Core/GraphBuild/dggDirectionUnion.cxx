@@ -10,7 +10,7 @@ void DirectionUnion::Unite(RowStore& rows, Id first, const ParallelFor& parallel
 {
   const Offset base = rows.Begin(first);
   std::vector<unsigned char> isDouble(static_cast<std::size_t>(rows.GetNumberOfEdges() - base), 0);
-  // Rows are only read here, except for the reverse edges to the current rows.
+  // Threads only read rows in this loop, except for the reverse edges to the current rows.
   ForRange(parallel, rows.GetNumberOfRows() - first, RowsAtOnce, [&](Offset begin, Offset end) {
     const auto workspace = this->Workspaces.Borrow();
     for (Offset row = begin; row < end; row += RowsAtOnce)
@@ -53,7 +53,7 @@ void DirectionUnion::Workspace::Unite(
   {
     for (Offset i = rows.Begin(target); i < rows.End(target); ++i)
     {
-      // A single comparison: earlier rows wrap around.
+      // A single comparison suffices, because the difference wraps around for earlier rows.
       const auto place = static_cast<std::uint32_t>(rows.Target(i) - begin);
       if (place < size)
       {

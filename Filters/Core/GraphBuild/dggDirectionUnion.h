@@ -14,12 +14,13 @@
 
 namespace dgg
 {
-/// Unites both directions: if an edge was found from both ends, only the copy in the row of the
-/// earlier vertex is kept, with the shorter of the two paths.
+/// Unites both directions of edges. If an edge was found from both ends, only the copy in the row
+/// of the earlier vertex is kept, with the shorter of the two paths.
 class DirectionUnion
 {
 public:
-  /// `first` is the first row that has not been united with the rows before it.
+  /// Unites the rows from `first` on. `first` is the first row that has not been united with the
+  /// rows before it.
   void Unite(RowStore& rows, Id first, const ParallelFor& parallel);
 
 private:
@@ -31,14 +32,14 @@ private:
     Id Next;     ///< next candidate with the same target, NoId after the last
   };
 
-  /// Rows are long, and searching reverse edges row by row would read the earlier rows repeatedly.
-  /// Therefore the edges of a block of rows are first grouped by target, and each target row is
-  /// read once.
+  /// Data of one block of rows. Rows are long, and searching reverse edges row by row would read
+  /// the earlier rows repeatedly. Therefore the edges of a block are first grouped by target, and
+  /// each target row is read once.
   class Workspace
   {
   public:
-    /// Processes rows [begin, end), at most RowsAtOnce. Sets the flags of edges that are to be
-    /// removed; flags[0] belongs to the edge `base`.
+    /// Processes rows [begin, end), at most RowsAtOnce. Sets the flags of edges to be removed;
+    /// flags[0] belongs to the edge `base`.
     void Unite(RowStore& rows, Id begin, Id end, Offset base, unsigned char* flags);
 
   private:

@@ -14,7 +14,7 @@ namespace dgg
 {
 namespace
 {
-/// Rows per task of the check.
+/// Number of rows per task of the check.
 constexpr Offset RowsPerTask = 1024;
 /// Bytes per partial checksum. Changing this value changes checksums.
 constexpr std::size_t BlockSize = std::size_t(1) << 20;
@@ -25,8 +25,8 @@ struct ByteRange
   std::size_t Size;
 };
 
-/// Appends the blocks of an array, at least one, so that the boundaries between arrays, and whether
-/// an array is present, affect the checksum.
+/// Appends the byte ranges of the blocks of an array. At least one block is appended, so that the
+/// boundaries between arrays, and the presence of an array, affect the checksum.
 template <typename T>
 void AddBlocks(const T* values, std::size_t count, std::vector<ByteRange>& blocks)
 {
@@ -64,7 +64,7 @@ bool IsAngle(float value)
   return value >= 0.0f && value <= std::numeric_limits<float>::max();
 }
 
-/// Checks that all required arrays are present.
+/// Fails if a required array is missing.
 Status CheckArrays(const GraphView& graph, Offset numberOfEdges)
 {
   if (graph.NumberOfVertices < 0 || numberOfEdges < 0)
@@ -106,7 +106,7 @@ Status CheckArrays(const GraphView& graph, Offset numberOfEdges)
   return Status::Success();
 }
 
-/// Checks one row.
+/// Fails if the row is not valid.
 Status CheckRow(const GraphView& graph, Id row, Offset numberOfEdges)
 {
   const Offset begin = graph.Offsets[row];
@@ -204,7 +204,7 @@ Status CheckGraph(const GraphView& graph, Offset numberOfEdges, const ParallelFo
 
 std::uint64_t ComputeChecksum(const GraphView& graph, const ParallelFor& parallel)
 {
-  // Checksums of blocks, which threads compute in parallel, and then a checksum of these.
+  // Threads compute checksums of blocks in parallel; the result is the checksum of these checksums.
   const auto n = static_cast<std::size_t>(graph.NumberOfVertices);
   const auto edges = static_cast<std::size_t>(graph.GetNumberOfEdges());
   std::vector<ByteRange> blocks;

@@ -61,7 +61,7 @@ struct GraphInfo
 
 /// Non-owning view of a graph. Row v, [Offsets[v], Offsets[v + 1]), holds the edges that leave v,
 /// sorted by Angles. Every edge is stored in both directions with the same length. The length of an
-/// edge is that of an actual path on the surface, a geodesic that bends at no vertex.
+/// edge is the length of a path on the surface: a geodesic that bends at no vertex.
 struct GraphView
 {
   GraphInfo Info;
@@ -104,21 +104,21 @@ struct DGG_CORE_EXPORT GeodesicGraph
     return this->Offsets.IsEmpty() ? 0 : static_cast<Id>(this->Offsets.Size() - 1);
   }
   GraphView View() const;
-  /// Size of the arrays in bytes.
+  /// Returns the size of the arrays in bytes.
   std::size_t GetMemorySize() const;
 };
 
-/// Returns true if lengths must be stored as double for this accuracy: the rounding error of a
+/// Returns true if lengths must be stored as double for this accuracy. The rounding error of a
 /// float is about 1e-7.
 inline bool NeedsWideLengths(double accuracy)
 {
   return accuracy > 0.0 && accuracy < 1e-5;
 }
 
-/// Fails if the arrays do not form a graph: offsets that do not ascend from 0, targets that are out
-/// of range or equal to their row, lengths that are not positive and finite, angles that are not
-/// finite, or rows that are not sorted by angle. `numberOfEdges` is the size of all arrays except
-/// Offsets, which has NumberOfVertices + 1 entries.
+/// Fails if the arrays do not form a graph. Causes are offsets that do not ascend from 0, targets
+/// that are out of range or equal to their row, lengths that are not positive and finite, angles
+/// that are not finite, and rows that are not sorted by angle. `numberOfEdges` is the size of all
+/// arrays except Offsets, which has NumberOfVertices + 1 entries.
 DGG_CORE_EXPORT Status CheckGraph(
   const GraphView& graph, Offset numberOfEdges, const ParallelFor& parallel = ParallelFor());
 

@@ -13,8 +13,8 @@ namespace
 {
 constexpr Offset RowGrain = 256;
 
-/// Calls `visit(slot of the first end, slot of the second end, index in the rows)` for every edge,
-/// with the slots of its two directions in the graph before rows are sorted.
+/// Calls `visit(slot of the first end, slot of the second end, index in the rows)` for every edge.
+/// The slots are the positions of the two directions in the graph before rows are sorted.
 template <typename Visitor>
 void ForEachEdge(const RowStore& rows, const std::vector<Id>& order, const Buffer<Offset>& offsets,
   Visitor&& visit)
@@ -107,7 +107,7 @@ Status AssembleGraph(RowStore& rows, const std::vector<Id>& order, bool wide,
   graph.Offsets = Buffer<Offset>(n + 1);
   CountEdges(rows, order, graph.Offsets);
 
-  // Property by property, so that the arrays of the rows can be released in two steps.
+  // Properties are copied one by one, so that the arrays of the rows can be released in two steps.
   graph.Angles = Buffer<float>(edges);
   graph.ArrivalAngles = Buffer<float>(edges);
   ForRange(parallel, 2, 1, [&](Offset begin, Offset end) {

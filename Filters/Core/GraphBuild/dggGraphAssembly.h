@@ -14,8 +14,8 @@
 namespace dgg
 {
 /// Writes the graph from united rows: each edge in both directions, every row sorted by angle.
-/// Releases the rows on the way. `order` lists the final ids of the rows. Fails if `progress`,
-/// which may be empty, returns false.
+/// Releases the rows during the assembly. `order` lists the final ids of the rows. Fails if
+/// `progress`, which may be empty, returns false.
 Status AssembleGraph(RowStore& rows, const std::vector<Id>& order, bool wide,
   const ParallelFor& parallel, const ProgressCallback& progress, GeodesicGraph& graph);
 }

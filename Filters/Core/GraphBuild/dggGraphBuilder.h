@@ -17,15 +17,15 @@
 
 namespace dgg
 {
-/// Smallest and largest accuracy of a graph.
+/// Smallest and largest accuracy of a graph (relative error).
 constexpr double MinimumAccuracy = 1e-6;
 constexpr double MaximumAccuracy = 0.5;
 
 struct GraphOptions
 {
   GraphConstruction Construction = GraphConstruction::Guaranteed;
-  /// Relative, in [MinimumAccuracy, MaximumAccuracy]: the bound of the relative error of every
-  /// distance with the guaranteed construction. Not used by the SaddleVertexGraph.
+  /// Bound of the relative error of every distance with the guaranteed construction, in
+  /// [MinimumAccuracy, MaximumAccuracy]. Not used by the SaddleVertexGraph.
   double Accuracy = 0.01;
   /// K of the SaddleVertexGraph: number of nearest vertices considered per vertex. At least 1.
   Id NumberOfNeighbors = 30;
@@ -49,7 +49,7 @@ struct GraphStatistics
   std::size_t OutEdges = 0; ///< directed edges before both directions were united
 };
 
-/// Maximum number of windows of one source before construction fails: at non-manifold edges windows
+/// Maximum number of windows of one source before construction fails. At non-manifold edges windows
 /// may multiply without end. Sources at the smallest accuracy stay well below this limit.
 constexpr std::size_t DefaultWindowLimit = std::size_t{ 1 } << 21;
 
@@ -60,9 +60,9 @@ struct GraphLink
   double Length = 0.0;
   /// Polar angle at the vertex, pointing back to the point.
   double ArrivalAngle = 0.0;
-  /// Direction at the point, towards the vertex: angle in the frame of the first half-edge of the
-  /// point's face, as WalkStraight() expects. For a point on an edge, the other faces of the edge
-  /// are unfolded into that plane.
+  /// Direction at the point, towards the vertex: angle in radians in the frame of the first
+  /// half-edge of the point's face, as WalkStraight() expects. For a point on an edge, the other
+  /// faces of the edge are unfolded into the plane of this face.
   double DepartureAngle = 0.0;
 };
 
@@ -75,9 +75,9 @@ struct GraphLink
 class DGG_CORE_EXPORT GraphBuilder
 {
 public:
-  /// Prepares tables of the mesh. Building fails if a vertex needs more windows than `windowLimit`,
-  /// or if non-manifold edges or degenerate triangles multiply the work beyond about twenty times
-  /// that of a clean mesh of the same size.
+  /// Prepares tables of the mesh. Building fails if a vertex needs more windows than `windowLimit`.
+  /// Building also fails if non-manifold edges or degenerate triangles multiply the work beyond
+  /// about twenty times that of a clean mesh of the same size.
   explicit GraphBuilder(const SurfaceMesh& mesh, std::size_t windowLimit = DefaultWindowLimit);
   ~GraphBuilder();
   GraphBuilder(const GraphBuilder&) = delete;
@@ -86,8 +86,9 @@ public:
   /// Fails if an option is out of range.
   static Status Check(const GraphOptions& options);
 
-  /// Predicts the size of the graph. Cheap: builds the rows of some vertices only. Fails where
-  /// Build() fails, or if the sample takes several times its share of the allowed work.
+  /// Predicts the size of the graph. The prediction is cheap because only the rows of some vertices
+  /// are built. Fails if Build() would fail, or if the sample takes several times its share of the
+  /// allowed work.
   Status Estimate(const GraphOptions& options, GraphEstimate& estimate) const;
 
   /// Builds the graph. The result is bitwise identical for any Parallel. `graph` is empty on
@@ -98,9 +99,10 @@ public:
   /// Computes the edges that a surface point would have as a vertex of the graph, sorted by vertex.
   /// With these links, distances from and to the point satisfy the bound of the (guaranteed) graph.
   /// `targets` are further points; `direct[i]` becomes the length of the straight line to
-  /// targets[i], or Infinity if no window contains one. A point at a vertex has a single link, of
-  /// length 0. Both outputs are empty on failure. If windows multiplied, `work` is increased by the
-  /// number of window comparisons. May be called by several threads simultaneously.
+  /// targets[i], or Infinity if no window contains the target. A point at a vertex has a single
+  /// link, of length 0. Both outputs are empty on failure. If windows multiplied, `work` is
+  /// increased by the number of window comparisons. May be called by several threads
+  /// simultaneously.
   Status Link(const SurfacePoint& point, double accuracy, const std::vector<SurfacePoint>& targets,
     std::vector<GraphLink>& links, std::vector<double>& direct, std::size_t* work = nullptr) const;
 

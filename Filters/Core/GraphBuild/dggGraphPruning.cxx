@@ -13,8 +13,9 @@ namespace dgg
 {
 namespace
 {
-/// Stored lengths may be floats, rounded up: a candidate must be redundant with respect to its true
-/// length, or errors would accumulate from relay to relay.
+/// Factor that compensates the rounding of stored lengths, which may be floats, rounded up. A
+/// candidate must be redundant with respect to its true length, or errors would accumulate from
+/// relay to relay.
 constexpr double LeastShareOfStored = 1.0 - 1.2e-7;
 
 class CandidatePruner
@@ -26,8 +27,8 @@ public:
   {
   }
 
-  /// Visits candidates from the shortest on: an edge that is kept lowers the reach of the targets
-  /// of its candidates; a candidate that is already reached is redundant.
+  /// Visits candidates from the shortest on. An edge that is kept lowers the reach of the targets
+  /// of its candidates; a candidate whose reach is already low enough is redundant.
   void Prune(Id row, double kappa, unsigned char* flags)
   {
     const Offset begin = this->Rows.Begin(row);

@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Rules of the graph construction: they decide which vertices become edges and where a window
+/// Rules of the graph construction, which decide which vertices become edges and where a window
 /// ends. Internal.
 ///
 /// A rule defines
 /// - the cost of an edge and of a relay (MakeRelay(), CostOfEdge(), CostBehind()), and whether a
 ///   vertex is covered at a given cost;
-/// - Start(): computes what will end a window with new relays; returns false if the window has
-///   already ended;
+/// - Start(): computes the data that will end a window with new relays; returns false if the window
+///   has already ended;
 /// - Ends(): returns true if nothing behind the edge of a window needs to be explored;
 /// - StartsLate: windows end between vertices, so that Start() and Ends() are only needed after a
 ///   face has been crossed without finding a vertex;
@@ -27,21 +27,21 @@
 
 namespace dgg
 {
-/// A relay covers the points in direction e from a certain distance on, and that distance grows
+/// Returns true if the window ends at its edge, because the stop point lies on the near side of the
+/// edge. A relay covers the points in direction e from a certain distance on; this distance grows
 /// with the angle between the relay and e. A window ends as soon as every point of its edge is
-/// covered, since everything behind is then covered too, through the edge. The left relay covers an
-/// interval from the left end of the edge, the right relay an interval from the right end. They
-/// cover the entire edge iff the intervals overlap, that is, iff the direction in which both relays
-/// need the same distance is covered. This direction and distance do not depend on the edge. They
-/// define a point in the plane, the stop point of the pair of relays, and a window ends at the
-/// first edge that has the stop point on the near side.
+/// covered, since all points behind the edge are then covered too, through the edge. The left relay
+/// covers an interval from the left end of the edge, the right relay an interval from the right
+/// end. The intervals cover the entire edge iff they overlap, that is, iff the direction in which
+/// both relays need the same distance is covered. This direction and distance do not depend on the
+/// edge. They define a point in the plane, the stop point of the pair of relays.
 inline bool HasPassedStopPoint(const GraphWindow& window)
 {
   return Cross(window.Axis,
            { window.Stop.X - window.Ends[0].X, window.Stop.Y - window.Ends[0].Y }) <= 0.0;
 }
 
-/// Sets the stop point in direction e. The distance is clamped to a value beyond any surface.
+/// Sets the stop point in direction e. The distance is clamped to a value that exceeds any surface.
 inline void SetStopPoint(const Point2& e, double distance, GraphWindow& window)
 {
   constexpr double farAway = 1e100;
@@ -49,8 +49,8 @@ inline void SetStopPoint(const Point2& e, double distance, GraphWindow& window)
   window.Stop = { reach * e.X, reach * e.Y };
 }
 
-/// Returns the unit vector e with w.e = k, where w.e grows from left to right: of the two
-/// solutions, the one to the left of w.
+/// Returns the unit vector e with w.e = k, where w.e grows from left to right. Of the two
+/// solutions, the one to the left of w is returned.
 inline Point2 SolveDirection(const Point2& w, double k)
 {
   const double scale = 1.0 / Dot(w, w);
@@ -60,11 +60,11 @@ inline Point2 SolveDirection(const Point2& w, double k)
 }
 
 /// The progress rule. A relay p has a cost c, an upper bound of kappa w(s,r) + d(r,p), where (s,r)
-/// is an edge of the graph and kappa = 1/(1 + accuracy). It covers x if c + |px| <= |sx|. If each
-/// vertex that is visible from the source along a straight line is an edge or covered, then no
+/// is an edge of the graph and kappa = 1/(1 + accuracy). The relay covers x if c + |px| <= |sx|. If
+/// each vertex that is visible from the source along a straight line is an edge or covered, then no
 /// graph distance exceeds (1 + accuracy) times the exact distance. The proof is by induction over
-/// the distances, since the path through r leaves at most D - kappa w(s,r) to go: the argument of
-/// Yao graphs, carried over to surfaces.
+/// the distances, since the path through r leaves at most D - kappa w(s,r) of the distance D: the
+/// argument of Yao graphs, carried over to surfaces.
 struct ProgressRule
 {
   static constexpr bool StartsLate = true;
@@ -82,20 +82,22 @@ struct ProgressRule
   static bool Covers(double cost, double distance) { return cost <= distance; }
   static Relay MakeRelay(const Point2& position, double distance, double cost)
   {
-    // The straight line makes no progress, but it is a valid path.
+    // The straight line makes no progress, but is a valid path.
     Relay relay(position, distance, std::min(cost, distance));
     relay.Ratio = relay.Cost / distance;
     relay.Weight = (distance - relay.Cost) * (1.0 + relay.Ratio);
     return relay;
   }
 
-  /// In direction e, at an angle of cosine u.e to its own direction u, a relay at distance d covers
-  /// points from weight / (2 (u.e - ratio)) on, if that is positive, where ratio = c/d and weight =
-  /// (d^2 - c^2) / d. In its own direction it covers points from (d + c) / 2 on, also if c = d.
+  /// Computes the stop point. In direction e, at an angle of cosine u.e to its own direction u, a
+  /// relay at distance d covers points from weight / (2 (u.e - ratio)) on, if this value is
+  /// positive, where ratio = c/d and weight = (d^2 - c^2) / d. In its own direction the relay
+  /// covers points from (d + c) / 2 on, also if c = d.
   static bool Start(const Relay& left, const Relay& right, GraphWindow& window)
   {
-    // A relay that covers, in the direction of the other relay, everything that the other one
-    // covers there also covers everything in between: the window has ended.
+    // If one relay covers, in the direction of the other relay, every point that the other relay
+    // covers in this direction, then the first relay also covers every point in between: the window
+    // has ended.
     const double cosine = Dot(left.Unit, right.Unit);
     const double rightAtLeft = cosine - right.Ratio;
     const double leftAtRight = cosine - left.Ratio;
@@ -113,14 +115,14 @@ struct ProgressRule
     const double r = Dot(right.Unit, e) - right.Ratio;
     if (l > 0.0 && r > 0.0)
     {
-      // If the two distances differ by rounding, the larger one is on the safe side.
+      // If the two distances differ by rounding, the larger one is safe.
       const bool byLeft = left.Weight * r >= right.Weight * l;
       SetStopPoint(e, byLeft ? 0.5 * left.Weight / l : 0.5 * right.Weight / r, window);
     }
     else if (left.Ratio > right.Ratio)
     {
       // The left relay covers only points straight behind it; the right relay has to cover the
-      // rest.
+      // remaining points.
       SetStopPoint(
         left.Unit, rightAtLeft > 0.0 ? 0.5 * right.Weight / rightAtLeft : Infinity, window);
     }
@@ -139,9 +141,9 @@ struct ProgressRule
   double Kappa;
 };
 
-/// The published direct rule (Fang, "Discrete geodesic graphs", 2019, sec. 5.1, as far as it is
-/// specified there): a relay p covers x if |sp| + |px| <= (1 + accuracy) |sx|, whether p is an edge
-/// or is itself covered. Errors accumulate from relay to relay, so that the maximum error is
+/// The published direct rule (Fang, "Discrete geodesic graphs", 2019, sec. 5.1, as far as specified
+/// in the paper). A relay p covers x if |sp| + |px| <= (1 + accuracy) |sx|, whether p is an edge or
+/// is itself covered. Errors accumulate from relay to relay, so that the maximum error is
 /// unbounded.
 struct OneRelayRule
 {
@@ -164,7 +166,8 @@ struct OneRelayRule
     return { position, distance, distance };
   }
 
-  /// In direction e a relay at distance d covers from 2 ((1+a) d - p.e) / (a (2+a)) on.
+  /// Computes the stop point. In direction e, a relay at distance d covers points from 2 ((1+a) d -
+  /// p.e) / (a (2+a)) on.
   bool Start(const Relay& left, const Relay& right, GraphWindow& window) const
   {
     const Point2& l = left.Position;
@@ -192,7 +195,7 @@ struct OneRelayRule
   double Scale;
 };
 
-/// Base of the rules in which no relay covers anything: all vertices reached are candidates.
+/// Base of the rules in which relays do not cover points: all vertices reached are candidates.
 struct AllReachedRule
 {
   static constexpr bool StartsLate = false;
@@ -213,19 +216,19 @@ struct AllReachedRule
 };
 
 /// The first step of the published indirect construction (Fang 2019, sec. 3.2): every vertex
-/// reached is a candidate. A window ends beyond the distance from which on a path through an edge
-/// that the window has crossed can be deflected through an end of that edge at a relative cost of
-/// at most the accuracy.
+/// reached is a candidate. A window ends beyond a bound on the distance. Beyond this bound, a path
+/// through an edge that the window has crossed can be deflected through an end of the edge at a
+/// relative cost of at most the accuracy.
 ///
 /// With pruning by progress, each candidate t of s is an edge or covered, as the theorem of the
 /// progress rule requires. Points beyond the windows are not covered by the theorem. For a point t
-/// there, the bound gives |sv| + |vt| <= (1 + accuracy) |st| for an end v, in the plane and
-/// regardless of obstacles. The theorem requires an edge (s,r) that is kept in the graph, with
-/// kappa w(s,r) + d(r,t) <= d(s,t). If v is kept, it is such an r from a certain distance on. But v
-/// may be pruned: then some r is kept with kappa w(s,r) + w(r,v) = c <= w(s,v), and c may be as
-/// large as w(s,v). The path through v then gives c + d(v,t), which is at most d(s,t) only if t is
-/// straight behind v. Hence, before it is known which candidates are kept, there is no finite
-/// distance from which on the ends of an edge cover everything. The maximum error is not strictly
+/// beyond the windows, the bound gives |sv| + |vt| <= (1 + accuracy) |st| for an end v, in the
+/// plane and regardless of obstacles. The theorem requires an edge (s,r) that is kept in the graph,
+/// with kappa w(s,r) + d(r,t) <= d(s,t). If v is kept, v is such an r from a certain distance on.
+/// But v may be pruned: then some r is kept with kappa w(s,r) + w(r,v) = c <= w(s,v), and c may be
+/// as large as w(s,v). The path through v then gives c + d(v,t), which is at most d(s,t) only if t
+/// is straight behind v. Hence, as long as the kept candidates are unknown, no finite distance
+/// exists beyond which the ends of an edge cover every point. The maximum error is not strictly
 /// bounded, though no graph has been observed to exceed the accuracy.
 struct CandidateRule : AllReachedRule
 {
@@ -236,7 +239,8 @@ struct CandidateRule : AllReachedRule
   {
   }
 
-  /// The bound is inherited and tightened from edge to edge; Stop.X stores its inverse.
+  /// Returns true if the edge is beyond the bound. The bound is inherited and tightened from edge
+  /// to edge; Stop.X stores its inverse.
   bool Ends(const Relay& left, const Relay& right, GraphWindow& window) const
   {
     const double length = Distance(window.Ends[0], window.Ends[1]);
@@ -256,8 +260,8 @@ struct CandidateRule : AllReachedRule
 };
 
 /// The saddle vertex graph (Ying, Wang and He, "Saddle vertex graph (SVG): a novel solution to the
-/// discrete geodesic problem", 2013): edges to those of the K nearest vertices that are reached by
-/// a straight line. The search ends when K vertices are final.
+/// discrete geodesic problem", 2013). Edges lead to the vertices among the K nearest ones that are
+/// reached by a straight line. The search ends when K vertices are final.
 struct NearestRule : AllReachedRule
 {
   static constexpr bool ByDistance = true;
@@ -294,10 +298,11 @@ inline bool IsVisible(
   return side == 0 ? turn < 0.0 : turn > 0.0;
 }
 
-/// Computes what ends a window, with the outer relays if the stop point is visible from them. That
-/// is sufficient: an outer relay covers the vertex on the ray and the stop point, hence by
-/// convexity everything in between; and points that the vertex hides from the outer relay are
-/// behind points that it covers. Returns false if the window has already ended.
+/// Computes the stop data of a window, using the outer relays if the stop point is visible from
+/// them. Outer relays suffice in this case: an outer relay covers the vertex on the ray and the
+/// stop point, hence by convexity every point in between; and points that the vertex hides from the
+/// outer relay are behind points that the outer relay covers. Returns false if the window has
+/// already ended.
 template <typename Rule>
 bool StartWindow(const Rule& rule, const std::vector<Relay>& relays, GraphWindow& window)
 {

@@ -13,8 +13,8 @@
 namespace dgg
 {
 /// A vertex through which a bounding ray of a window passes. The straight segment from the relay to
-/// any point of the window behind it lies in the faces that the window has swept, so that the
-/// segment is a path on the surface.
+/// any point of the window behind the relay lies in the faces that the window has swept, so that
+/// the segment is a path on the surface.
 struct Relay
 {
   Point2 Position;
@@ -42,12 +42,12 @@ struct GraphWindow
   Point2 Ends[2];
   Point2 Axis; ///< unit vector from left to right
   Point2 Stop; ///< stop point, if the rule uses one
-  /// Labels of the ends if shorter than the straight line, otherwise Infinity. Only then can a path
-  /// through an end be shorter than the straight line.
+  /// Labels of the ends, if shorter than the straight line, otherwise Infinity. A path through an
+  /// end can be shorter than the straight line only if its label is.
   double Labels[2] = { Infinity, Infinity };
   Id Relays[2] = { NoId, NoId }; ///< on the left and the right bounding ray
-  /// A relay farther out on that side that covers the relay on the ray, and is better wherever that
-  /// relay does not occlude it; otherwise NoId.
+  /// A relay farther out on the same side that covers the relay on the ray, and is better at every
+  /// point that the relay on the ray does not occlude; otherwise NoId.
   Id Outer[2] = { NoId, NoId };
   Id Entry = NoId;  ///< table entry of the face behind the edge
   Id Frame = NoId;  ///< half-edge at the source along the x axis of the plane

@@ -11,7 +11,7 @@ namespace
 {
 /// Relative tolerance within which distances are equal.
 constexpr double Tolerance = 1e-12;
-/// Narrower gaps between intervals are ignored as rounding errors; relative.
+/// Relative width below which gaps between intervals are ignored as rounding errors.
 constexpr double GapTolerance = 1e-9;
 /// Maximum number of steps of the search for a tie.
 constexpr int TieSteps = 10;
@@ -60,8 +60,8 @@ Id GraphWindowMemory::Admit(
   return this->Last[entry.HalfEdge];
 }
 
-/// Trims dominated parts at both ends. Returns false if nothing is left. A new entry (`number` is
-/// NoId) is also dominated by equal ones.
+/// Trims dominated parts at both ends of an entry. Returns false if no part is left. A new entry
+/// (`number` is NoId) is also dominated by equal entries.
 bool GraphWindowMemory::Trim(Entry& entry, Id number)
 {
   this->FindDominated(entry, number);
@@ -93,7 +93,7 @@ bool GraphWindowMemory::Trim(Entry& entry, Id number)
   return end - begin > slack;
 }
 
-/// Finds the intervals where other paths are at least as short.
+/// Finds the intervals of an entry where other paths are at least as short.
 void GraphWindowMemory::FindDominated(const Entry& entry, Id number)
 {
   this->Dominated.clear();
@@ -122,9 +122,10 @@ void GraphWindowMemory::FindDominated(const Entry& entry, Id number)
   }
 }
 
-/// The points that are nearer to one focus than to another by a given difference form a convex
-/// region bounded by a branch of a hyperbola; therefore another path is shorter on a single
-/// interval. Dominated intervals between two points that are not dominated are ignored.
+/// Finds the interval where another path is shorter. The points that are nearer to one focus than
+/// to another by a given difference form a convex region bounded by a branch of a hyperbola;
+/// therefore the interval is unique. Dominated intervals between two points that are not dominated
+/// are ignored.
 void GraphWindowMemory::Compare(
   const Entry& entry, const Way& other, double begin, double end, double factor)
 {

@@ -14,13 +14,14 @@
 
 namespace dgg
 {
-/// A non-manifold edge sends a copy of every window into each further face, and behind it copies
-/// meet again, as in two layers on top of each other: their number doubles from edge to edge. Among
-/// nearly degenerate triangles windows overlap in the same manner. But a window can carry shortest
-/// paths only where no other window of the same source enters the same face through the same edge
-/// with a shorter path, and no path through a vertex of the previous face is shorter. The window
-/// itself is not cut, since its relays are still needed; but it is followed only while its *live*
-/// part, where none of these dominates, reaches anything.
+/// Record of the windows of one source. A non-manifold edge sends a copy of every window into each
+/// further face, and behind the edge copies meet again, as in two layers on top of each other:
+/// their number doubles from edge to edge. Among nearly degenerate triangles windows overlap in the
+/// same manner. But a window can carry shortest paths only on the interval where no other window of
+/// the same source enters the same face through the same edge with a shorter path, and no path
+/// through a vertex of the previous face is shorter. The window itself is not cut, since its relays
+/// are still needed. A window is followed only while its *live* part, the interval where no other
+/// path dominates, reaches an edge.
 class GraphWindowMemory
 {
 public:
@@ -29,7 +30,7 @@ public:
   {
   }
 
-  /// Must be called before the first window of a source.
+  /// Allocates the record. Must be called before the first window of a source.
   void Prepare(Id numberOfHalfEdges) { this->Last.resize(numberOfHalfEdges, NoId); }
 
   /// An edge through which a window enters a face.
@@ -43,15 +44,15 @@ public:
     Point2 BehindAt;
   };
 
-  /// Records a window that enters a face. Returns an id for the window, or NoId if no part of it is
-  /// live.
+  /// Records a window that enters a face. Returns an id for the window, or NoId if no part of the
+  /// window is live.
   Id Admit(
     const Passage& passage, const Relay& left, const Relay& right, const GraphWindow& window);
   /// Returns true if part of an admitted window is still live.
   bool IsLive(Id number) { return this->Trim(this->Entries[number], number); }
 
-  /// Number of comparisons with other paths since the last Clear(); these dominate the running
-  /// time.
+  /// Returns the number of comparisons with other paths since the last Clear(). Comparisons
+  /// dominate the running time.
   std::size_t GetWork() const { return this->Work; }
 
   void Clear();

@@ -16,7 +16,7 @@
 
 namespace dgg
 {
-/// A point to which a straight line is searched.
+/// A point to which the shortest straight line is searched.
 struct GraphWindowTarget
 {
   Id Face = NoId; ///< of the mesh
@@ -28,7 +28,8 @@ struct GraphWindowTarget
 class GraphWindowTargets
 {
 public:
-  /// `targets` must be sorted by face. Both lists must outlive this object.
+  /// Stores references to both lists, which must outlive this object. `targets` must be sorted by
+  /// face.
   GraphWindowTargets(const SurfaceMesh& mesh, const std::vector<GraphWindowTarget>& targets,
     std::vector<double>& shortest)
     : Mesh(mesh)

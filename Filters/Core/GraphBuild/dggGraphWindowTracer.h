@@ -30,21 +30,21 @@ struct WindowLimits
 {
   /// Maximum number of windows of a source before construction fails.
   std::size_t Windows;
-  /// Maximum number of windows in the fast mode, which ignores where earlier windows of the source
-  /// have been. Sources on an ordinary mesh need fewer.
+  /// Maximum number of windows in the fast mode, which does not check whether earlier windows of
+  /// the source have been at the same location. Sources on an ordinary mesh need fewer windows.
   std::size_t CarelessWindows;
   /// Maximum work of a source; see GraphWindowTracer::GetWork().
   std::size_t Work;
 };
 
-/// Follows windows from one source at a time until the rule ends them.
+/// Follows windows from one source at a time until the rule ends the windows.
 ///
-/// At non-manifold edges windows can multiply, and among nearly degenerate triangles they can
-/// circulate for long. Most sources meet such configurations rarely or not at all, and their
-/// windows are simply processed first in, first out. If there are many windows, they propagate
-/// upper bounds of distances, which end windows that wind around a tube or a cone again. A source
-/// that still has too many windows is traced again in the careful mode: windows in order of
-/// distance, and only where no earlier window has a shorter path (GraphWindowMemory).
+/// At non-manifold edges windows can multiply, and among nearly degenerate triangles windows can
+/// circulate for long. Most sources meet such configurations rarely or not at all; their windows
+/// are processed first in, first out. If the number of windows is large, windows propagate upper
+/// bounds of distances, which end windows that wind around a tube or a cone again. A source that
+/// still has too many windows is traced again in the careful mode: windows are processed in order
+/// of distance, and only as long as no earlier window has a shorter path (GraphWindowMemory).
 template <typename Rule>
 class GraphWindowTracer
 {
@@ -61,7 +61,7 @@ public:
 
   void SetRule(const Rule& rule) { this->TheRule = rule; }
 
-  /// Returns the edges of a vertex (id of the table).
+  /// Traces the edges of a vertex (id of the table) and returns them.
   const std::vector<FoundEdge>& TraceVertex(Id source)
   {
     return this->TraceFrom([&] {
@@ -76,8 +76,8 @@ public:
     });
   }
 
-  /// Returns the edges that a point inside a face would have. For a point on an edge, pass all
-  /// faces of the edge.
+  /// Traces the edges that a point inside a face would have and returns them. For a point on an
+  /// edge, pass all faces of the edge.
   const std::vector<FoundEdge>& TracePoint(
     const std::vector<std::pair<Id, std::array<double, 3>>>& positions,
     const GraphWindowTargets& targets)
@@ -96,7 +96,7 @@ public:
   /// Returns true if the last source was abandoned because its windows multiplied without end.
   bool ExceededLimit() const { return this->HasExceededLimit; }
   std::size_t GetNumberOfWindows() const { return this->NumberOfWindows; }
-  /// Work of the last source, in units of one comparison between two windows.
+  /// Returns the work of the last source, in units of one comparison between two windows.
   std::size_t GetWork() const
   {
     return (this->IsCareful ? WorkOfCarefulWindow : WorkOfWindow) *
@@ -105,16 +105,16 @@ public:
   }
 
 private:
-  /// Measured work of a window besides comparisons.
+  /// Measured work of a window without comparisons, in the same units.
   static constexpr std::size_t WorkOfWindow = 3;
   static constexpr std::size_t WorkOfCarefulWindow = 30;
   /// Relative tolerance within which two path lengths are equal.
   static constexpr double LengthTolerance = 1e-12;
-  /// Narrower windows are discarded: up to the square of this value, the points that they reach are
-  /// on the border of neighboring windows.
+  /// Width below which windows are discarded (sine of the angle). Up to the square of this value,
+  /// the points that such windows reach are on the border of neighboring windows.
   static constexpr double NarrowestWindow = 1e-12;
-  /// Additional windows that are allowed once windows propagate labels, relative to the previous
-  /// limit.
+  /// Number of additional windows that are allowed once windows propagate labels, relative to the
+  /// previous limit.
   static constexpr std::size_t PropagationFactor = 3;
 
   template <typename Starter>
@@ -158,8 +158,8 @@ private:
 
   bool HasTooManyWindows() const { return this->NumberOfWindows > this->WindowLimit; }
 
-  /// From now on windows propagate labels along the sides of faces, which ends those that wind
-  /// around again. Returns false if labels were already propagated.
+  /// Makes windows propagate labels along the sides of faces, which ends windows that wind around a
+  /// tube again. Returns false if labels were already propagated.
   bool EnableBoundPropagation()
   {
     if (this->PropagatesLabels || Rule::ByDistance)
@@ -172,7 +172,7 @@ private:
     return true;
   }
 
-  /// Starts in the face of an outgoing half-edge of the source: the two ends of the opposite edge
+  /// Starts in the face of an outgoing half-edge of the source. The two ends of the opposite edge
   /// are the first relays.
   void StartAtCorner(Id g)
   {
@@ -194,7 +194,7 @@ private:
     this->Enter(this->Table.CodeBehind(across), window);
   }
 
-  /// Starts from a source inside a face: reaches the three corners and the three edges, except
+  /// Starts from a source inside a face. Reaches the three corners and the three edges, except
   /// edges that contain the source. The plane is rotated for each edge, since directions at the
   /// source are not needed.
   void StartInFace(Id f, const std::array<double, 3>& barycentric)
@@ -203,7 +203,8 @@ private:
     {
       const Point2 source = PlaceInFrame(this->Mesh, h, barycentric);
       const Point2 origin{ -source.X, -source.Y };
-      // Towards the source, next to the half-edge, which leaves its origin along the x axis.
+      // The direction of arrival is given relative to the half-edge, which leaves its origin along
+      // the x axis.
       const Id corner =
         this->ReachCorner({ NoId, Norm(origin.X, origin.Y), origin, h, { 1.0, 0.0 }, h, false });
       if (barycentric[(h + 2) % 3] == 0.0)
@@ -249,7 +250,7 @@ private:
     return static_cast<Id>(this->Relays.size() - 1);
   }
 
-  /// Records an edge; of several edges to a vertex the shortest one is kept.
+  /// Records an edge. Of several edges to a vertex the shortest one is kept.
   void Record(VertexStates::State& state, const FoundEdge& edge)
   {
     if (state.Edge == NoId)
@@ -371,8 +372,8 @@ private:
     }
   }
 
-  /// Processes windows in order of distance until enough vertices are final. The edges are those to
-  /// final vertices that are reached by a straight line.
+  /// Processes windows in order of distance until enough vertices are final. The resulting edges
+  /// lead to the final vertices that are reached by a straight line.
   void TraceNearest()
   {
     Id count = 0;
@@ -414,8 +415,8 @@ private:
   {
     const Relay& left = this->Relays[window.Relays[0]];
     const Relay& right = this->Relays[window.Relays[1]];
-    // Most windows are split in the first face, and hardly any ends before it; therefore the stop
-    // point is computed after the first face.
+    // Most windows are split in the first face, and hardly any window ends before. Therefore the
+    // stop point is computed after the first face.
     bool isStarted = !Rule::StartsLate;
     for (;;)
     {
@@ -463,8 +464,8 @@ private:
     }
   }
 
-  /// Advances to the left or right edge of a face: its apex is the right end of the left edge, and
-  /// the left end of the right edge.
+  /// Advances to the left or right edge of a face. The apex of the face is the right end of the
+  /// left edge and the left end of the right edge.
   void Turn(
     GraphWindow& window, const FaceCrossing& face, FaceCrossing::Side side, const Point2& apex)
   {
@@ -491,8 +492,8 @@ private:
     }
   }
 
-  /// Lowers the label of the apex to the path through another corner and along the side between
-  /// them.
+  /// Lowers the label of the apex to the length of the path through another corner and along the
+  /// side between that corner and the apex.
   void PropagateLabel(const FaceCrossing& face)
   {
     const Id h = face.GetHalfEdge();
@@ -504,15 +505,16 @@ private:
       bound(this->Mesh.Destination(h), SurfaceMesh::Next(h)) });
   }
 
-  /// Window filter: returns true if the path through an end of the edge and along the edge is
-  /// shorter at every point that the window reaches. By the triangle inequality this requires that
-  /// the label of that end is shorter than the straight line.
+  /// Returns true if the path through an end of the edge and along the edge is shorter at every
+  /// point that the window reaches. By the triangle inequality, the label of the end is then
+  /// shorter than the straight line to the end.
   bool IsUseless(const GraphWindow& window) const
   {
     return this->HasOverlap && (this->IsUseless(window, 0) || this->IsUseless(window, 1));
   }
 
-  /// The farthest point from an end is where the bounding ray on the other side meets the edge.
+  /// Tests one end. The farthest point from the end is the point where the bounding ray on the
+  /// other side meets the edge.
   bool IsUseless(const GraphWindow& window, int end) const
   {
     if (window.Labels[end] == Infinity)
@@ -524,7 +526,7 @@ private:
       Norm(x.X, x.Y) * (1.0 - LengthTolerance);
   }
 
-  /// The best relay on one side of a window for a vertex that it reaches.
+  /// The best relay on one side of a window for a vertex that the window reaches.
   struct Cover
   {
     Id Relay;
@@ -540,9 +542,9 @@ private:
     return { id, cost, this->TheRule.Covers(cost, distance) };
   }
 
-  /// Splits a window at a vertex: the vertex may become an edge, and it is a relay of the two new
-  /// windows. A relay that covers the vertex covers the part of the edge from its own ray to the
-  /// vertex, so that the window on that side has ended.
+  /// Splits a window at a vertex. The vertex may become an edge, and is a relay of the two new
+  /// windows. A relay that covers the vertex also covers the interval of the edge between its own
+  /// ray and the vertex, so that the window on this side has ended.
   void Split(GraphWindow& window, const FaceCrossing& face, const Point2& apex)
   {
     const double distance = Norm(apex.X, apex.Y);
@@ -577,7 +579,7 @@ private:
 
   static bool IsNarrow(const Point2& apex, double distance, const Relay& relay)
   {
-    // The sine of a window of nearly pi is small as well.
+    // A window of nearly pi also has a small sine.
     return std::abs(Cross(apex, relay.Unit)) <= NarrowestWindow * distance &&
       Dot(apex, relay.Unit) > 0.0;
   }
@@ -676,11 +678,12 @@ private:
   WindowLimits Limits;
   VertexStates Vertices;
   bool IsCareful = false;
-  /// True if a vertex has been reached by a path longer than its label. Before that no window can
-  /// be useless, so that labels need not be compared.
+  /// True if a vertex has been reached by a path longer than its label. Until then no window can be
+  /// useless, so that labels need not be compared.
   bool HasOverlap = false;
   bool HasExceededLimit = false;
-  /// True if labels are propagated along the sides of faces, because there are many windows.
+  /// True if labels are propagated along the sides of faces, because the number of windows is
+  /// large.
   bool PropagatesLabels = false;
   Id Source = NoId;
   GraphWindowMemory Memory;

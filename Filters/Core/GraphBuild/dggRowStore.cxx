@@ -33,7 +33,7 @@ void RowStore::Reserve(Offset size)
   {
     return;
   }
-  // Unwritten memory is not committed, so that this may be generous.
+  // Unwritten memory is not committed, so that the capacity may be generous.
   this->SetCapacity(std::max<Offset>(size, this->Capacity + this->Capacity / 2 + 1024));
 }
 

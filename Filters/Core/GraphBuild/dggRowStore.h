@@ -30,7 +30,7 @@ DGG_CORE_EXPORT float RoundedUp(double value);
 class RowStore
 {
 public:
-  /// `wide` keeps lengths as double.
+  /// Creates an empty store. If `wide` is true, lengths are kept as double.
   explicit RowStore(bool wide)
     : IsWide(wide)
     , Begins(1, 0)

@@ -53,7 +53,7 @@ bool IsMerged(const PreparedSurface& surface)
   return surface.GetDomain().Kind == Domain::MergedSurface;
 }
 
-/// Returns true if graphs of this kind are built by such a construction.
+/// Returns true if a construction builds graphs of this kind.
 bool IsConstructionOf(std::int64_t construction, GraphKind kind)
 {
   const bool isCloud = kind == GraphKind::Cloud;
@@ -310,7 +310,8 @@ Status StoredGraph::CheckContents(
   return this->View.Info.Kind == GraphKind::Cloud ? this->CheckBand() : Status::Success();
 }
 
-/// Checksum of all arrays and of the slots of Info before the checksum. Offsets must be valid.
+/// Returns the checksum of all arrays and of the slots of Info before the checksum. Offsets must be
+/// valid.
 std::int64_t StoredGraph::ComputeChecksum(
   const std::int64_t* info, const ParallelFor& parallel) const
 {

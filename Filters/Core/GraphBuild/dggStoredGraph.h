@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The format of stored graphs: named arrays, as they are in field data and in files. Internal.
+/// Format of stored graphs: the named arrays in field data and in files. Internal.
 #ifndef dggStoredGraph_h
 #define dggStoredGraph_h
 
@@ -17,8 +17,8 @@ namespace dgg
 {
 class PreparedSurface;
 
-/// The band around a cloud that its graph was built in: the union of balls around the points,
-/// divided into voxels.
+/// The band in which the graph of a cloud was built: the union of balls around the points, divided
+/// into voxels.
 struct CloudBand
 {
   double VoxelSize = 0.0;
@@ -64,27 +64,27 @@ public:
 
   /// Returns the name of an array.
   static const char* GetName(int role);
-  /// Returns true if the array Info is that of the graph of a cloud.
+  /// Returns true if `info`, the array Info, belongs to the graph of a cloud.
   static bool IsOfCloud(const StoredArray& info);
 
   StoredGraph() = default;
-  /// Refers to the arrays of a graph that was just built.
+  /// Constructs the object with references to the arrays of a graph that was just built.
   StoredGraph(const GraphView& graph, const CloudBand& band);
 
-  /// Reads the arrays of a graph of `surface`, and refers to them. Everything is checked: types,
-  /// sizes, format version, ids, the signature of the surface and a checksum. After a failure this
-  /// graph is empty.
+  /// Reads the arrays of a graph of `surface`, and stores references to them. Checks types, sizes,
+  /// format version, ids, the signature of the surface and a checksum. After a failure this graph
+  /// is empty.
   Status Read(const Arrays& arrays, const PreparedSurface& surface, const ParallelFor& parallel);
 
   /// Returns the array Info that stores this graph of `surface`.
   Buffer<std::int64_t> MakeInfo(const PreparedSurface& surface, const ParallelFor& parallel) const;
 
-  /// Returns true if graphs of this kind have such an array.
+  /// Returns true if graphs of this kind have an array of the given role.
   bool HasRole(int role) const;
   const GraphView& GetView() const { return this->View; }
-  /// Null for a mesh.
+  /// Returns the band of a cloud; its pointers are null for a mesh.
   const CloudBand& GetBand() const { return this->Band; }
-  /// Returns the defect of arrays that Read() refused as damaged; empty for arrays that are intact
+  /// Returns the defect of arrays that Read() refused as damaged. Empty for arrays that are intact
   /// but belong to another surface or format version.
   const std::string& GetDamage() const { return this->Damage; }
 
@@ -106,7 +106,7 @@ private:
   std::string Damage;
 };
 
-/// Numbers of a graph, which remain valid when its arrays are gone.
+/// Properties of a graph that remain valid when its arrays have been released.
 struct DGG_CORE_EXPORT GraphSummary
 {
   GraphInfo Info;

@@ -25,12 +25,12 @@ struct FoundEdge
   Id Arrival = NoId; ///< half-edge of arrival, leaving the target
   bool IsMirrored = false; ///< true if the face of arrival is unfolded as its mirror image
 
-  /// Polar angle at the source, towards the target.
+  /// Returns the polar angle at the source, towards the target, radians.
   double DepartureAngle(const UnfoldingTable& table) const
   {
     return table.PolarAngle(this->Frame) + std::atan2(this->Departure.Y, this->Departure.X);
   }
-  /// Polar angle at the target, towards the source.
+  /// Returns the polar angle at the target, towards the source, radians.
   double ArrivalAngle(const UnfoldingTable& table) const
   {
     const Point2 back{ -this->Departure.X, -this->Departure.Y };
