@@ -15,7 +15,7 @@ namespace dgg
 {
 /// Vertices in buckets that cover distance ranges of equal width. The order within a bucket is
 /// arbitrary, so the search has to correct labels. In return, a push is an append, and the next
-/// vertices are known ahead, so that their memory can be prefetched. The buckets form a ring;
+/// vertices are known in advance, so that their memory can be prefetched. The buckets form a ring;
 /// entries beyond the ring are stored in an overflow list.
 class alignas(64) BucketQueue // avoids false sharing between the queues of threads
 {
@@ -26,11 +26,11 @@ public:
     Id Vertex;
   };
 
-  /// Empties the queue. No distance may be below `origin`.
+  /// Empties the queue and sets the bucket width. Distances below `origin` must not be pushed.
   void Reset(double origin, double width);
 
-  /// Returns the key of a distance. The key is always finite: all extremely large distances, which
-  /// sources may start with, have the same key.
+  /// Returns the key of a distance. The key is always finite: all extremely large distances, such
+  /// as initial distances of sources may be, have the same key.
   float Key(double distance) const
   {
     const double place = (distance - this->Origin) * this->PerWidth;
@@ -46,10 +46,11 @@ public:
     return this->Key(distance) - this->First < static_cast<double>(this->Cursor);
   }
 
-  /// Advances to the first non-empty bucket. Returns false if there is none.
+  /// Advances to the first non-empty bucket. Returns false if all buckets are empty.
   bool Advance() { return Advance(this, 1); }
   /// Advances several queues with the same origin and width to the first bucket that is non-empty
-  /// in any of them. Such queues must not be advanced separately.
+  /// in any of them. Returns false if all buckets are empty. Such queues must not be advanced
+  /// separately.
   static bool Advance(BucketQueue* queues, std::size_t count);
 
   /// Removes the entries of the current bucket for which `isOutdated(entry)` holds.
@@ -70,8 +71,8 @@ public:
   /// Returns the entries of the current bucket. The list grows while vertices are pushed.
   const std::vector<Entry>& Current() const { return this->Ring[this->Cursor & Mask]; }
 
-  /// Returns the entry `ahead` positions after entry `index` of the current bucket, as far as known
-  /// now; null if neither this bucket nor the next contains it.
+  /// Returns the entry `ahead` positions after entry `index` of the current bucket, according to
+  /// the present contents; null if neither this bucket nor the next contains the entry.
   const Entry* LookAhead(std::size_t index, std::size_t ahead) const
   {
     const std::vector<Entry>& bucket = this->Current();

@@ -11,7 +11,7 @@ namespace dgg
 {
 namespace
 {
-/// Vertices between two progress reports: some milliseconds.
+/// Number of vertices between two progress reports, some milliseconds.
 constexpr std::size_t ProgressInterval = 16384;
 /// Number of queue entries by which vertices, and their edges, are prefetched.
 constexpr std::size_t VertexLookahead = 12;
@@ -98,7 +98,8 @@ public:
     this->Propagate<true>();
   }
 
-  /// `touched` receives the vertices whose labels are lowered.
+  /// Searches from new seeds. `touched` receives the vertices whose labels are lowered. Returns
+  /// false if aborted.
   bool RunFromNewSeeds(const std::vector<GraphSeed>& seeds, double width, std::vector<Id>& touched)
   {
     touched.clear();
@@ -152,7 +153,7 @@ private:
     }
   }
 
-  /// Processes the queue, bucket by bucket.
+  /// Processes the queue, bucket by bucket. Returns false if aborted.
   template <bool OverFans>
   bool Propagate()
   {
@@ -188,8 +189,8 @@ private:
     return true;
   }
 
-  /// Returns true if there are targets and no label in the queue can lower theirs. Then the largest
-  /// of their distances becomes the limit.
+  /// Returns true if there are targets and no label in the queue can lower the labels of the
+  /// targets. In this case the largest distance of a target becomes the limit.
   bool AreTargetsPassed()
   {
     if (!this->Targets)
@@ -245,7 +246,7 @@ private:
 
   void PrefetchRow(Offset begin, Offset end) const
   {
-    // Only the begin of a long row; the rest is left to the hardware prefetcher.
+    // Prefetch only the begin of a long row; the hardware prefetcher handles the remainder.
     end = std::min<Offset>(end, begin + 96);
     for (Offset e = begin; e < end; e += 16)
     {
@@ -289,8 +290,8 @@ private:
     this->Effort.Relaxations += relaxations;
   }
 
-  /// Checks every edge for a shorter path; there are few. The sequential pass through the arrays is
-  /// cheaper per edge than any random access.
+  /// Checks every edge for a shorter path, which few edges give. The sequential pass through the
+  /// arrays is cheaper per edge than any random access.
   void Certify()
   {
     const Id n = this->Graph.NumberOfVertices;
@@ -306,7 +307,8 @@ private:
       }
       return;
     }
-    // Ascending ids, as above, because rounding depends on the order.
+    // Ids are processed in ascending order, as by the loop over all vertices, because rounding
+    // depends on the order.
     std::vector<Id> waiting = touched;
     const auto isAfter = std::greater<Id>();
     std::make_heap(waiting.begin(), waiting.end(), isAfter);
@@ -318,7 +320,7 @@ private:
       const std::size_t count = touched.size();
       if (this->Labels.IsReached(v))
       {
-        // Most rows end at vertices without a label, so a scan would not save work.
+        // Most rows end at vertices without a label, so that a scan would not save work.
         this->CountRow(v);
         this->LowerNeighbors(v);
       }
@@ -373,8 +375,9 @@ private:
     }
   }
 
-  /// Returns the largest difference between the label at the end of an edge and its length: unless
-  /// it exceeds the label at the start, no edge of the row gives a shorter path. Branchless.
+  /// Returns the largest difference between the label at the end of an edge and the length of the
+  /// edge. Unless the difference exceeds the label at the start, no edge of the row gives a shorter
+  /// path. Branchless.
   double LargestDifference(Offset begin, Offset end) const
   {
     const double* const distances = this->Labels.Distances.data();
@@ -481,7 +484,7 @@ bool LowerLabels(const GraphView& graph, const GraphFans* fans, const std::vecto
 
 double ChooseBucketWidth(const GraphView& graph)
 {
-  // Mean of the shortest edges of some vertices.
+  // The width is the mean of the shortest edges of some vertices.
   constexpr Id sampleSize = 1000;
   const Id step = std::max<Id>(1, graph.NumberOfVertices / sampleSize);
   double sum = 0.0;

@@ -19,33 +19,33 @@ bool RunDijkstra(const GraphView& graph, const std::vector<GraphSeed>& seeds,
   const ProgressCallback& progress, MinimumHeap& heap, SearchLabels& labels, SearchEffort& effort);
 
 /// Computes final labels from labels initialized by SearchLabels::Start(). With fans (or null for
-/// none), a path first continues only over the fan of the edge by which it arrived. This leaves a
-/// few labels too large; therefore all edges are then certified one after the other, and labels
-/// found too large are corrected over all edges. The result is that of Dijkstra's algorithm, up to
-/// rounding. `width` is the bucket width of the queue. With targets, the limit of the labels drops
-/// to the largest distance of a target. The cost is proportional to the number of vertices within
-/// the limit. Returns false if aborted.
+/// none), a path first continues only over the fan of the edge by which the path arrived. This
+/// restriction leaves a few labels too large. Therefore all edges are then certified one after the
+/// other, and labels found too large are corrected over all edges. The result is that of Dijkstra's
+/// algorithm, up to rounding. `width` is the bucket width of the queue. With targets, the limit of
+/// the labels drops to the largest distance of a target. The cost is proportional to the number of
+/// vertices within the limit. Returns false if aborted.
 bool RunBucketSearch(const GraphView& graph, const GraphFans* fans,
   const std::vector<GraphSeed>& seeds, double width, const ProgressCallback& progress,
   BucketQueue& queue, SearchLabels& labels, SearchEffort& effort);
 
-/// Only the first phase of RunBucketSearch(): labels over the fans, some of them too large. `order`
-/// receives the vertices as they were taken from the queue, nearly sorted by distance; some
-/// vertices occur several times.
+/// Runs only the first phase of RunBucketSearch(): computes labels over the fans, some of which are
+/// too large. `order` receives the vertices as they were taken from the queue, nearly sorted by
+/// distance; some vertices occur several times.
 void RunAlongFans(const GraphView& graph, const GraphFans& fans,
   const std::vector<GraphSeed>& seeds, double width, BucketQueue& queue, SearchLabels& labels,
   std::vector<Id>& order);
 
-/// Updates final labels after adding further seeds: only vertices that are nearer to these seeds
+/// Updates final labels after adding further seeds. Only vertices that are nearer to the new seeds
 /// are visited. `touched` receives these vertices; some occur several times. The result is that of
 /// a search from all seeds, up to rounding. Returns false if aborted.
 bool LowerLabels(const GraphView& graph, const GraphFans* fans, const std::vector<GraphSeed>& seeds,
   double width, const ProgressCallback& progress, BucketQueue& queue, SearchLabels& labels,
   std::vector<Id>& touched);
 
-/// Returns a suitable bucket width, about the distance between neighbors: small enough that few
-/// vertices are taken from the queue twice, and large enough that a bucket holds several vertices
-/// to prefetch.
+/// Returns a suitable bucket width, about the distance between neighbors. The width is so small
+/// that few vertices are taken from the queue twice, and so large that a bucket holds several
+/// vertices to prefetch.
 double ChooseBucketWidth(const GraphView& graph);
 }
 

@@ -29,12 +29,12 @@ struct DistanceRowsOptions
   double SearchRadius = Infinity;    ///< at least MaximumDistance; limits the search
   bool Correct = false;              ///< see ManyOptions
   double MemoryLimit = Infinity;     ///< maximum size of the rows in bytes
-  /// Next point that is merged into the same vertex, per point; NoId after the last. The first
-  /// point has the id of the vertex. Empty if no points are merged.
+  /// Per point, the next point that is merged into the same vertex; NoId after the last point. The
+  /// first point of a vertex has the id of the vertex. Empty if no points are merged.
   std::vector<Id> NextPoints;
 };
 
-/// Returns DistanceRowsOptions::NextPoints of a surface.
+/// Returns the value of DistanceRowsOptions::NextPoints for a surface.
 DGG_CORE_EXPORT std::vector<Id> FindNextPoints(const PreparedSurface& surface);
 
 /// Computes one row per source. The cost is proportional to the number of entries if most of the

@@ -26,7 +26,8 @@ struct FarthestVertex
 
 /// Farthest-point sampling in a graph (Eldar, Lindenbaum, Porat and Zeevi, "The farthest point
 /// strategy for progressive image sampling", 1997). The distance of every vertex from the nearest
-/// sample is maintained; a new sample only visits the vertices that are nearer to it than to all
+/// sample is maintained. A new sample only visits the vertices that are nearer to the new sample
+/// than to all others.
 /// other samples.
 ///
 /// The farthest distance, the covering radius, never grows. Samples that are placed successively at
@@ -37,7 +38,8 @@ struct FarthestVertex
 class DGG_CORE_EXPORT FarthestPoints
 {
 public:
-  /// `mesh` is the mesh of the graph, or null for a cloud. Graph and mesh must outlive the object.
+  /// Prepares sampling of a graph. `mesh` is the mesh of the graph, or null for a cloud. Graph and
+  /// mesh must outlive the object.
   FarthestPoints(const GraphView& graph, const SurfaceMesh* mesh);
   ~FarthestPoints();
   FarthestPoints(const FarthestPoints&) = delete;
@@ -46,17 +48,18 @@ public:
   /// Removes all samples.
   void Reset();
 
-  /// Adds a sample: a vertex, or a surface point by its links. Fails if there is no seed, or a seed
-  /// does not exist or has an initial distance that is not finite; then nothing changes. After an
-  /// abort, call Reset().
+  /// Adds a sample: a vertex, or a surface point by its links. Fails, without changing anything, if
+  /// there is no seed, or if a seed does not exist or has an initial distance that is not finite.
+  /// After an abort, call Reset().
   Status Add(const std::vector<GraphSeed>& sample, const ProgressCallback& progress);
 
   /// Returns the vertex farthest from all samples; its distance is the covering radius.
   FarthestVertex Find();
 
-  /// Graph distance of every vertex from the nearest sample.
+  /// Returns the graph distance of every vertex from the nearest sample.
   const std::vector<double>& GetDistances() const { return this->Distances; }
-  /// Index of the nearest sample of every vertex, in order of insertion; NoId if unreached.
+  /// Returns the index of the nearest sample of every vertex, in order of insertion; NoId if
+  /// unreached.
   const std::vector<Id>& GetNearestSamples() const { return this->NearestSamples; }
 
 private:
@@ -74,12 +77,12 @@ private:
   std::vector<LabelOrigin> Origins;
   std::unique_ptr<GraphFans> Fans; // null if the graph has no angles
   std::unique_ptr<BucketQueue> Queue;
-  std::vector<Id> Touched;        // by the last sample; may contain duplicates
-  std::vector<Id> Labeled;        // by any sample, without duplicates
+  std::vector<Id> Touched;        // vertices labeled by the last sample; may contain duplicates
+  std::vector<Id> Labeled;        // vertices labeled by any sample, without duplicates
   std::vector<Id> NearestSamples; // per vertex
   Id NumberOfSamples = 0;
-  /// Heap of all vertices with edges. Distances in the heap are updated only when they reach the
-  /// top.
+  /// Heap of all vertices with edges. A distance in the heap is updated only when its entry reaches
+  /// the top.
   std::vector<Candidate> Candidates;
 };
 }

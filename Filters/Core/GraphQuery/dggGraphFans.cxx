@@ -22,7 +22,7 @@ double LargestDeviation(const GraphView& graph)
   double accuracy = graph.Info.Accuracy;
   if (graph.Info.Construction == GraphConstruction::SaddleVertexGraph)
   {
-    // The accuracy of a guaranteed graph with the same degree.
+    // Accuracy of a guaranteed graph with the same degree.
     const double degree =
       static_cast<double>(graph.GetNumberOfEdges()) / std::max<double>(1.0, graph.NumberOfVertices);
     accuracy = std::pow(DegreeFactor / std::max(degree, DegreeFactor), 2.0);
@@ -47,8 +47,8 @@ GraphFans::GraphFans(const GraphView& graph, const SurfaceMesh& mesh)
       continue;
     }
     const bool isBoundary = kind == VertexKind::Boundary;
-    // Straight continuation leaves half of the total angle on both sides if that is less than pi;
-    // otherwise every departure that leaves pi on both sides is straight. The exterior of a
+    // Straight continuation leaves half of the total angle on both sides if this half is less than
+    // pi; otherwise every departure that leaves pi on both sides is straight. The exterior of a
     // boundary counts as wide.
     const double straight = std::min(Pi, isBoundary ? total : 0.5 * total);
     vertex.Lead = static_cast<float>(straight - this->Tolerance);

@@ -19,12 +19,12 @@ namespace dgg
 /// approximates; for other graphs, an empirical value.
 double LargestDeviation(const GraphView& graph);
 
-/// A shortest path continues nearly straight, so that only those edges of a row are relevant that
-/// leave roughly opposite to the direction of arrival: the fan of that direction. Rows are sorted
-/// by angle, so that a fan is found by interpolation and a few steps, without storing anything per
-/// edge.
+/// Finds the edges that can follow an edge on a shortest path. A shortest path continues nearly
+/// straight, so that only the edges of a row are relevant that leave roughly opposite to the
+/// direction of arrival: the fan of this direction. Rows are sorted by angle, so that a fan is
+/// found by interpolation and a few steps, without storing data per edge.
 ///
-/// This is a heuristic, not a theorem: callers have to certify the result.
+/// The restriction is a heuristic, not a theorem: callers have to certify the result.
 class GraphFans
 {
 public:
@@ -51,8 +51,8 @@ public:
       }
       return;
     }
-    // Directions at an angle of at least `lead` from the arrival on either side, modulo the total
-    // angle.
+    // Departures are at an angle of at least `lead` from the arrival on either side, modulo the
+    // total angle.
     if (vertex.Guess(arrival + lead) < vertex.Degree)
     {
       this->ForRange(vertex, arrival + lead, arrival + vertex.Turn - lead, relax);

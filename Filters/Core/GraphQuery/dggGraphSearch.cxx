@@ -54,28 +54,30 @@ Status CheckRadius(double maximumDistance)
     : Status::Success();
 }
 
-/// Mean number of edges per vertex from which on fans are worthwhile.
+/// Minimum mean number of edges per vertex for which fans are worthwhile.
 constexpr Offset ShortestLongRow = 55;
-/// A joint search from this many sources costs about as much as single searches.
+/// Minimum number of sources of a joint search. A joint search from this number of sources costs
+/// about as much as single searches.
 constexpr std::size_t SmallestGroup = 4;
 /// Radius of the near field of a group of sources, in units of the distance from a central source
 /// to the farthest one. Beyond it, all sources reach the surface in about the same order.
 constexpr double NearFieldReach = 2.0;
-/// Progress of a search from many sources is reported at least this many times, more often if more
+/// Minimum number of progress reports of a search from many sources. The number is larger if more
 /// than VerticesPerReport vertices are searched between two reports. FewestGroups groups between
 /// two reports keep the threads busy.
 constexpr Offset FewestReports = 8;
 constexpr Offset VerticesPerReport = Offset(1) << 21;
 constexpr Offset FewestGroups = 4;
-/// A task searches about this many vertices, fewer if there are not FewestTasks tasks between two
-/// reports.
+/// Approximate number of vertices that a task searches. The number is smaller if there are not
+/// FewestTasks tasks between two reports.
 constexpr Offset VerticesPerTask = Offset(1) << 12;
 constexpr Offset FewestTasks = 64;
 /// Progress weight of choosing landmarks.
 constexpr double ChoiceShare = 0.2;
-/// Sources whose near field exceeds this fraction of the surface are searched separately.
+/// Maximum near field of a group, as a fraction of the surface. Sources with a larger near field
+/// are searched separately.
 constexpr double LargestNearField = 0.4;
-/// Searches that reach less than this fraction of the surface are local.
+/// Maximum fraction of the surface that a local search reaches.
 constexpr double LargestLocalPart = 0.25;
 /// Approximate bytes per vertex: tables of a mesh, labels of a search, landmarks.
 constexpr std::size_t BytesOfTables = 40;
@@ -91,7 +93,8 @@ void CutAtLimit(SearchLabels& labels)
   labels.Touched.erase(end, labels.Touched.end());
 }
 
-/// Gives all arrays but the distances their initial values; empties those that are not wanted.
+/// Sets all arrays but the distances to their initial values, and empties arrays that are not
+/// requested.
 void ResetTree(std::size_t n, bool withTree, bool withEstimates, SearchResult& result)
 {
   const auto reset = [&](bool isWanted, auto& values, const auto& initial) {
@@ -104,8 +107,8 @@ void ResetTree(std::size_t n, bool withTree, bool withEstimates, SearchResult& r
   reset(withEstimates, result.Virtual, VirtualSource());
 }
 
-/// Writes edges, tails and seeds of the labels into a result that shares their distances.
-/// `steps` receives the reached vertices, every one after its tail.
+/// Writes edges, tails and seeds of the labels into a result that shares their distances. `steps`
+/// receives the reached vertices, every vertex after its tail.
 void FinishTree(const SearchLabels& labels, SearchResult& result, std::vector<TreeStep>& steps)
 {
   steps.clear();
@@ -116,7 +119,7 @@ void FinishTree(const SearchLabels& labels, SearchResult& result, std::vector<Tr
     {
       return;
     }
-    // Climb the tree to a vertex with known seed, then descend.
+    // Climb the tree to a vertex with a known seed, then descend.
     while (result.Seeds[v] == NoId && !labels.Origins[v].IsSeed())
     {
       climbed.push_back(v);
@@ -250,8 +253,8 @@ public:
       ShortestLongRow * static_cast<Offset>(this->Graph.NumberOfVertices);
   }
 
-  /// Computes distances from the nearest seed; on request also the tree, which estimates require,
-  /// and the estimates. Returns false if aborted.
+  /// Computes distances from the nearest seed. Computes the tree, which estimates require, and the
+  /// estimates on request. Returns false if aborted.
   bool RunSingle(const std::vector<GraphSeed>& seeds, const SearchOptions& options,
     const std::vector<Id>* targets, bool withTree, SearchWorkspace& workspace,
     SearchResult& result) const
@@ -280,7 +283,7 @@ public:
     return isDone;
   }
 
-  /// Indices of sources, grouped for common searches.
+  /// Returns the indices of sources, grouped for common searches.
   std::vector<std::vector<std::size_t>> GroupByPlace(
     const std::vector<Id>& sources, bool areLocal) const
   {
@@ -341,7 +344,7 @@ public:
   }
 
   /// Returns the largest number of vertices that a search from the first, the middle or the last
-  /// source reaches: the number of all vertices if one of these searches is not local.
+  /// source reaches. Returns the number of all vertices if one of these searches is not local.
   std::size_t FindReach(
     const std::vector<std::vector<GraphSeed>>& sources, const ManyOptions& options) const
   {
@@ -369,9 +372,9 @@ public:
     return reach;
   }
 
-  /// Plans the joint search of a group. Returns false if separate searches are cheaper: the sources
-  /// are far apart, or few vertices are within the radius or nearer than the targets (all edges
-  /// will be certified).
+  /// Plans the joint search of a group. Returns false if separate searches are cheaper. Separate
+  /// searches are cheaper if the sources are far apart, or if few vertices are within the radius or
+  /// nearer than the targets, since a joint search certifies all edges.
   bool PlanSweep(
     const ManySources::Sources& group, const ManyOptions& options, SweepOrder& order) const
   {

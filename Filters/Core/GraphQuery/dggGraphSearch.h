@@ -51,9 +51,9 @@ enum class SearchMethod : std::uint8_t
 struct SearchOptions
 {
   SearchMethod Method = SearchMethod::Certified;
-  /// Vertices farther than this are left unreached.
+  /// Vertices farther than this distance are left unreached.
   double MaximumDistance = Infinity;
-  /// If true, fill SearchResult::Corrected and SearchResult::Virtual.
+  /// If true, SearchResult::Corrected and SearchResult::Virtual are filled.
   bool Correct = false;
   ProgressCallback Progress; ///< may be empty
 };
@@ -66,15 +66,15 @@ struct SearchResult
   /// and unreached vertices.
   std::vector<Offset> Edges;
   std::vector<Id> Tails; ///< per vertex, tail of that edge, or NoId
-  /// Per vertex, an improved estimate within the accuracy of the exact distance: neither an upper
-  /// bound nor a metric. Empty unless requested.
+  /// Per vertex, an improved estimate of the distance, within the accuracy of the exact distance;
+  /// neither an upper bound nor a metric. Empty unless requested.
   std::vector<double> Corrected;
-  /// The virtual source from which the estimate of each vertex follows. Empty unless requested.
+  /// Virtual source of each vertex, from which the estimate follows. Empty unless requested.
   VirtualSources Virtual;
 
-  /// The vertices that are reached, each once, in no particular order.
+  /// Reached vertices, each once, in no particular order.
   std::vector<Id> Reached;
-  /// Returns true if visiting these alone is cheaper than visiting all vertices.
+  /// Returns true if visiting the reached vertices is cheaper than visiting all vertices.
   DGG_CORE_EXPORT bool IsLocal() const;
 
   std::size_t NumberOfPops = 0;        ///< vertices taken from the queue
@@ -96,10 +96,10 @@ struct GraphPath
 /// Options of a search from many sources.
 struct ManyOptions
 {
-  /// Vertices farther than this from a source are left unreached.
+  /// Vertices farther than this distance from a source are left unreached.
   double MaximumDistance = Infinity;
   /// Vertices whose distances are requested; empty means all. Vertices that are farther from a
-  /// source than all of these may be left unreached.
+  /// source than all targets may be left unreached.
   std::vector<Id> Targets;
   /// If true, the consumer receives the estimates of SearchResult::Corrected, otherwise labels.
   bool Correct = false;
@@ -111,49 +111,51 @@ struct ManyOptions
 using FieldConsumer =
   std::function<void(std::size_t source, const double* distances, const std::vector<Id>& reached)>;
 
-/// Searches in one graph. The graph arrays and the mesh must outlive the search. Several threads
-/// may search simultaneously. Copies share precomputed data of the graph. A copy uses landmarks
-/// only if prepared through that copy, so that its answers do not depend on other copies.
+/// Searches shortest paths in one graph. The graph arrays and the mesh must outlive the search.
+/// Several threads may search simultaneously. Copies share precomputed data of the graph. A copy
+/// uses landmarks only if prepared through this copy, so that its answers do not depend on other
+/// copies.
 class DGG_CORE_EXPORT GraphSearch
 {
 public:
-  /// `mesh` is the mesh of the graph, or null for a cloud; without a mesh there are no fans and no
-  /// correction.
+  /// Prepares searches. `mesh` is the mesh of the graph, or null for a cloud; without a mesh, fans
+  /// and correction are not available.
   GraphSearch(const GraphView& graph, const SurfaceMesh* mesh);
 
   const GraphView& GetGraph() const;
 
-  /// Computes distances from the nearest seed; all methods give the same distances, up to rounding.
-  /// Fails if there is no seed, or a seed does not exist or has an initial distance that is not
-  /// finite; then `result` is empty. If `result` is that of an earlier call, from which any array
-  /// but `Reached` may have been moved, the cost is proportional to the number of vertices within
-  /// the radii of both searches.
+  /// Computes distances from the nearest seed. All methods give the same distances, up to rounding.
+  /// Fails with an empty `result` if there is no seed, or if a seed does not exist or has an
+  /// initial distance that is not finite. If `result` is that of an earlier call, from which any
+  /// array but `Reached` may have been moved, the cost is proportional to the number of vertices
+  /// within the radii of both searches.
   Status Run(
     const std::vector<GraphSeed>& seeds, const SearchOptions& options, SearchResult& result) const;
 
-  /// Finds a shortest path between two sets of seeds, those of two points, by A*. The path is empty
-  /// if they are not connected. `positions`, x y z per vertex, may be null; no edge may be shorter
-  /// than the straight line between its ends. Positions and landmarks provide the lower bounds of
-  /// A*.
+  /// Finds a shortest path by A* between two sets of seeds, the seeds of two points. The path is
+  /// empty if the sets are not connected. `positions`, x y z per vertex, may be null; no edge may
+  /// be shorter than the straight line between its ends. Positions and landmarks provide the lower
+  /// bounds of A*.
   Status Between(const std::vector<GraphSeed>& from, const std::vector<GraphSeed>& to,
     const double* positions, GraphPath& path) const;
 
   /// Computes the distances of all vertices from some landmarks, which Between() uses from then on.
-  /// Costs as much as several dozen searches and 68 bytes per vertex, but nothing if a copy has
-  /// them already. Must not be called during a search. Nothing is changed on abort.
+  /// Costs as much as several dozen searches and 68 bytes per vertex, but nothing if a copy already
+  /// has landmarks. Must not be called during a search. Nothing is changed on abort.
   Status PrepareLandmarks(const ParallelFor& parallel, const ProgressCallback& progress);
   bool HasLandmarks() const;
 
   /// Computes distances from each of many sources (each a set of seeds) separately; `consume`
-  /// receives them. If most of the surface is searched, sources close together are searched
-  /// together; then hundreds of sources take at most half the time of single searches. The cost of
-  /// other searches is proportional to the number of vertices within the radius, or nearer than the
-  /// farthest target. Adds the number of labels (see SearchResult) to `numberOfLabels` unless null.
+  /// receives the distances. If most of the surface is searched, sources close together are
+  /// searched together; hundreds of sources then take at most half the time of single searches. The
+  /// cost of other searches is proportional to the number of vertices within the radius, or nearer
+  /// than the farthest target. Adds the number of labels (see SearchResult) to `numberOfLabels`
+  /// unless null.
   Status Many(const std::vector<std::vector<GraphSeed>>& sources, const ManyOptions& options,
     const ParallelFor& parallel, const ProgressCallback& progress, const FieldConsumer& consume,
     std::size_t* numberOfLabels = nullptr) const;
 
-  /// Approximate memory in bytes, without the graph.
+  /// Returns the approximate memory in bytes, without the graph.
   std::size_t GetMemorySize() const;
 
 private:

@@ -20,8 +20,8 @@ inline GraphLink LinkOfVertex(Id vertex)
   return { vertex, 0.0, noDirection };
 }
 
-/// Finds the links of a point, like GraphBuilder::Link(), which is called for points that are not
-/// vertices. Fails for these if `builder` is null.
+/// Finds the links of a point. Calls GraphBuilder::Link() for a point that is not a vertex; fails
+/// for such a point if `builder` is null.
 inline Status FindLinks(const GraphBuilder* builder, const SurfacePoint& point, double accuracy,
   const std::vector<SurfacePoint>& targets, std::vector<GraphLink>& links,
   std::vector<double>& direct)

@@ -12,12 +12,12 @@ namespace dgg
 {
 namespace
 {
-// The direction to a virtual source has an error where the intermediate surface is not flat,
-// because that part of the surface is not visited. By regression to the mean, a large deviation
-// from the straight line is on average overestimated, and a small one underestimated. The three
-// constants are fitted to exact distances on scans. Without them estimates are too short on rough
+// Constants fitted to exact distances on scans. The direction to a virtual source has an error if
+// the intermediate surface is not flat, because this part of the surface is not visited. By
+// regression to the mean, a large deviation from the straight line is on average overestimated, and
+// a small deviation underestimated. Without the constants, estimates are too short on rough
 // surfaces, with mean errors larger by up to a quarter and maximum errors by up to a half; on
-// smooth surfaces they increase errors by up to a quarter.
+// smooth surfaces the constants increase errors by up to a quarter.
 
 /// Mean angle defect of the ends of an edge, radians, from which on the surface counts as rough.
 constexpr double RoughDefect = 0.04;
@@ -133,7 +133,7 @@ void LabelCorrection::Straighten(const Length* lengths, const std::vector<GraphS
   }
 }
 
-/// Transfers an estimate along an edge, from the tail to the vertex.
+/// Transfers an estimate along an edge, from the tail to the vertex, and returns it.
 LabelCorrection::Estimate LabelCorrection::Follow(
   const TreeStep& step, double edge, const Estimate& from) const
 {
@@ -153,7 +153,7 @@ LabelCorrection::Estimate LabelCorrection::Follow(
     return restarted;
   }
   // The triangle of virtual source, tail and vertex is nearly degenerate: its angle at the tail is
-  // pi minus the deviation. The formula avoids cancellation for small deviations; single precision
+  // pi minus the deviation. The formula avoids cancellation for small deviations. Single precision
   // suffices, since the angles of the graph are floats.
   const double roughness = std::min(1.0, (tail.Defect + vertex.Defect) / (2.0 * RoughDefect));
   const double deviation = (1.0 - roughness * SpuriousPart) * std::max(0.0, Pi - std::abs(turn));

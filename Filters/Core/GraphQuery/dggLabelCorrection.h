@@ -13,14 +13,15 @@
 
 namespace dgg
 {
-/// Smallest possible ratio of the exact distance to a label; 0 if labels certify no lower bound.
+/// Returns the smallest possible ratio of the exact distance to a label; 0 if labels certify no
+/// lower bound.
 inline double LabelShrink(const GraphInfo& info)
 {
   return info.IsGuaranteed() ? 1.0 / (1.0 + info.Accuracy) : 0.0;
 }
 
-/// Clamps an estimate to the interval that a label certifies, since curvature may distort the
-/// estimate.
+/// Returns an estimate clamped to the interval that a label certifies, since curvature may distort
+/// the estimate.
 inline double ClampToLabel(double estimate, double label, double smallestOffset, double shrink)
 {
   const double lowest =
@@ -28,10 +29,10 @@ inline double ClampToLabel(double estimate, double label, double smallestOffset,
   return std::min(std::max(estimate, lowest), label);
 }
 
-/// A graph path zigzags around the geodesic that it approximates. Unfolded edge by edge into the
-/// plane, the path can be straightened: along the tree of paths, each vertex receives the virtual
-/// source of its path. Where the path bends, the vertex of the bend becomes the virtual source of
-/// the vertices behind it.
+/// Improves distances by straightening paths. A graph path zigzags around the geodesic that it
+/// approximates. Unfolded edge by edge into the plane, the path can be straightened: along the tree
+/// of paths, each vertex receives the virtual source of its path. If the path bends, the vertex of
+/// the bend becomes the virtual source of the vertices behind the bend.
 class LabelCorrection
 {
 public:

@@ -15,7 +15,8 @@ namespace dgg
 namespace
 {
 constexpr std::int16_t LargestCode = std::numeric_limits<std::int16_t>::max();
-/// Bound of the rounding error of the distances themselves, in steps; far larger than necessary.
+/// Upper bound of the rounding error of the distances themselves, in steps; far larger than
+/// necessary.
 constexpr double RoundingOfSteps = 1e-6;
 /// Progress weight, within the choice, of each of the two full searches.
 constexpr double SearchShare = 0.15;
@@ -87,7 +88,8 @@ Status Landmarks::ChooseFrom(FarthestPoints& field, const GraphView& graph,
     field.Reset();
     return field.Add(seeds, ProgressPart(progress, done, done + SearchShare));
   };
-  // Components without a landmark are ignored.
+  // Returns the distance of a vertex from the nearest sample, ignoring components without a
+  // landmark.
   const auto distanceOf = [&](Id v) {
     const double distance = field.GetDistances()[v];
     return distance < Infinity ? distance : 0.0;
@@ -132,7 +134,8 @@ void Landmarks::SetDistances(std::size_t k, const double* distances)
   const double perStep = 1.0 / this->Step;
   for (std::size_t v = 0; v < this->Codes.size(); ++v)
   {
-    // 0 in other components: there the differences carry no information, but remain valid bounds.
+    // The code is 0 in other components, where the differences carry no information but remain
+    // valid bounds.
     this->Codes[v][k] = distances[v] < Infinity ? Clamp(distances[v] * perStep) : 0;
   }
 }
@@ -143,7 +146,7 @@ void Landmarks::Aim(const std::vector<GraphSeed>& seeds, Goal& goal) const
   goal.High.fill(LargestCode);
   for (std::size_t k = 0; k < this->Vertices.size(); ++k)
   {
-    // In steps; a code c represents distances in [c, c + 1].
+    // Bounds are in steps. A code c represents distances in [c, c + 1].
     double low = Infinity;
     double high = -Infinity;
     for (const GraphSeed& seed : seeds)

@@ -18,32 +18,32 @@ namespace dgg
 {
 class FarthestPoints;
 
-/// By the triangle inequality the distance between two vertices is at least the difference between
-/// their distances from a landmark (Goldberg and Harrelson, "Computing the shortest path: A* search
-/// meets graph theory", 2005). Landmarks are vertices far from each other, at the tips of the
-/// surface. Their distances are rounded to small integers, so that those of one vertex fill one
-/// cache line.
+/// Landmarks and the distances of all vertices from them. By the triangle inequality the distance
+/// between two vertices is at least the difference between their distances from a landmark
+/// (Goldberg and Harrelson, "Computing the shortest path: A* search meets graph theory", 2005).
+/// Landmarks are vertices far from each other, at the tips of the surface. Their distances are
+/// rounded to small integers, so that the distances of one vertex fill one cache line.
 class Landmarks
 {
 public:
   static constexpr int Count = 32;
 
   /// Chooses landmarks by farthest-point sampling in the larger components. `mesh` is the mesh of
-  /// the graph, or null if the graph has no angles. Must be called first;
-  /// after an abort the object must not be used.
+  /// the graph, or null if the graph has no angles. Must be called before all other functions.
+  /// After an abort the object must not be used.
   Status Choose(const GraphView& graph, const SurfaceMesh* mesh, const ProgressCallback& progress);
 
   /// Returns at most Count landmarks; none if the graph has no edges.
   const std::vector<Id>& GetVertices() const { return this->Vertices; }
 
   /// Stores the distances of all vertices from landmark k. Must be called once for each landmark,
-  /// in any order; several threads may call it simultaneously.
+  /// in any order. Several threads may call SetDistances() simultaneously.
   void SetDistances(std::size_t k, const double* distances);
 
   /// Returns true if a path between two vertices exists.
   bool AreConnected(Id a, Id b) const { return this->Components[a] == this->Components[b]; }
 
-  /// Goal of a search, the nearest of some seeds: bounds of the seeds' distances from each
+  /// Goal of a search, the nearest of some seeds, as bounds of the seeds' distances from each
   /// landmark.
   struct Goal
   {

@@ -54,8 +54,8 @@ inline bool AnyIsLess(const LanePair (&a)[4], const LanePair (&b)[4])
 }
 #endif
 
-/// A cache line of labels. Which labels an edge lowers is unpredictable, so that the operations
-/// performed for every edge are branchless.
+/// A cache line of labels. The set of labels that an edge lowers is unpredictable, so that the
+/// operations performed for every edge are branchless.
 class alignas(64) Lanes
 {
 public:
@@ -68,7 +68,7 @@ public:
   void Pull(const Lanes& from, double length)
   {
     const LanePair step = { length, length };
-    // Unrolled, so that the labels stay in registers over many edges.
+    // The operations are unrolled, so that the labels stay in registers over many edges.
     this->Pairs[0] = SmallerOf(from.Pairs[0] + step, this->Pairs[0]);
     this->Pairs[1] = SmallerOf(from.Pairs[1] + step, this->Pairs[1]);
     this->Pairs[2] = SmallerOf(from.Pairs[2] + step, this->Pairs[2]);
@@ -78,7 +78,7 @@ public:
   /// Returns true if any label is below that of `old`.
   bool AreBelow(const Lanes& old) const { return AnyIsLess(this->Pairs, old.Pairs); }
 
-  /// Returns the smallest label that is below that of `old`; Infinity if there is none.
+  /// Returns the smallest label that is below that of `old`; Infinity if no label is below.
   double SmallestBelow(const Lanes& old) const
   {
     double smallest = Infinity;

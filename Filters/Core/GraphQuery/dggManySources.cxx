@@ -77,7 +77,7 @@ void ManySources::GetField(
   }
 }
 
-/// Sets the labels of the seeds. Returns the smallest one.
+/// Sets the labels of the seeds. Returns the smallest label.
 double ManySources::Start(const Sources& sources)
 {
   double smallest = Infinity;
@@ -94,8 +94,8 @@ double ManySources::Start(const Sources& sources)
   return smallest;
 }
 
-/// Sweeps in both directions, as the sources lie on all sides. Errors in the near field would
-/// propagate to all vertices.
+/// Sweeps the near field in both directions, since the sources lie on all sides. Errors in the near
+/// field would propagate to all vertices.
 template <typename Length>
 void ManySources::SweepNearField(const Length* lengths, const SweepOrder& order)
 {
@@ -129,7 +129,7 @@ void ManySources::Sweep(const Length* lengths, const std::vector<Id>& order)
   }
 }
 
-/// Searches a shorter path to every vertex; there are few.
+/// Searches a shorter path to every vertex. Few vertices have one.
 template <typename Length>
 void ManySources::Certify(const Length* lengths)
 {
@@ -164,8 +164,8 @@ void ManySources::Mend(const Length* lengths)
   }
 }
 
-/// Returns the shortest paths to a vertex through its neighbors; edges have the same length in both
-/// directions.
+/// Returns the labels of the shortest paths to a vertex through its neighbors. Edges have the same
+/// length in both directions.
 template <typename Length>
 Lanes ManySources::Pull(const Length* lengths, Id v) const
 {
@@ -192,7 +192,8 @@ void ManySources::Push(const Length* lengths, Id v)
   }
 }
 
-/// Stores labels, none of which exceeds the present one; if some are lower, the vertex is queued.
+/// Stores labels, none of which exceeds the present one. If some labels are lower, the vertex is
+/// queued.
 void ManySources::Lower(Id v, const Lanes& labels)
 {
   if (!labels.AreBelow(this->Labels[v]))

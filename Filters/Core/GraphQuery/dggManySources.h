@@ -16,22 +16,22 @@
 
 namespace dgg
 {
-/// The order in which a search from several sources visits the vertices. Any order gives the same
+/// Order in which a search from several sources visits the vertices. Any order gives the same
 /// distances; a good order converges quickly.
 struct SweepOrder
 {
-  /// Approximately sorted by distance from a source in the middle of the group.
+  /// Vertices, approximately sorted by distance from a source in the middle of the group.
   std::vector<Id> Vertices;
-  /// Number of leading vertices that are so close to the sources that the sources reach them in
+  /// Number of leading vertices that are close to the sources: the sources reach these vertices in
   /// different orders.
   std::size_t NearField = 0;
 };
 
 /// Computes distances from up to Lanes::Size sources (each a set of seeds) in one search. Sources
 /// close together reach the rest of the surface in about the same order. Therefore the vertices are
-/// swept in the order in which one of the sources reaches them; each vertex pulls the shortest path
+/// swept in the order in which one of the sources reaches them. Each vertex pulls the shortest path
 /// from its neighbors, for all sources together and without a queue. Labels that remain too large
-/// because a path runs against the order are found by certifying all edges and corrected with a
+/// because a path runs against the order are found by certifying all edges, and corrected with a
 /// queue.
 class ManySources
 {
@@ -40,7 +40,8 @@ public:
 
   using Sources = std::vector<const std::vector<GraphSeed>*>;
 
-  /// Calls `shouldContinue` between phases. Returns false if `shouldContinue` returned false.
+  /// Runs the search, and calls `shouldContinue` between phases. Returns false if `shouldContinue`
+  /// returned false.
   bool Run(const Sources& sources, double radius, const SweepOrder& order,
     const std::function<bool()>& shouldContinue);
 

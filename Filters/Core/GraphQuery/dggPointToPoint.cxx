@@ -160,7 +160,8 @@ PointToPoint::Label* PointToPoint::Lower(Id v, double distance)
     label.ToGo = this->EstimateToGo(v);
     this->Touched.push_back(v);
   }
-  // Also if the vertex is too far away, so that it is not examined again.
+  // The distance is also stored if the vertex is too far away, so that the vertex is not examined
+  // again.
   this->Distances[v] = distance;
   const double through = distance + label.ToGo;
   if (through >= this->Best)

@@ -28,7 +28,7 @@ struct PathGuides
 
 /// A* search (Hart, Nilsson and Raphael 1968), directed to the goal by lower bounds of the
 /// remaining distance. Vertices wait in buckets instead of a heap, so that some are expanded again
-/// when their label drops. Buffers are reused between calls; the cost of a call depends on the
+/// when their label drops. Buffers are reused between calls. The cost of a call depends on the
 /// vertices between the points, not on the size of the graph.
 class PointToPoint
 {
@@ -54,7 +54,8 @@ private:
   void Forget();
   void Aim(const std::vector<GraphSeed>& to);
   double EstimateToGo(Id v) const;
-  /// Lowers the label of a vertex. Returns the label, or null if it leads to no shorter path.
+  /// Lowers the label of a vertex. Returns the label, or null if the label leads to no shorter
+  /// path.
   Label* Lower(Id v, double distance);
   void Start(const std::vector<GraphSeed>& from);
   template <typename Length>

@@ -32,7 +32,7 @@ inline bool AreFew(const std::vector<Id>& vertices, std::size_t numberOfVertices
 }
 
 /// Sets all entries of an array to the initial value. `touched` lists the entries that differ from
-/// it, unless the size of the array changes.
+/// the initial value, unless the size of the array changes.
 template <typename Value>
 void ResetTouched(std::vector<Value>& values, std::size_t numberOfVertices,
   const std::vector<Id>& touched, const Value& initial)
@@ -69,12 +69,12 @@ struct SearchLabels
 {
   std::vector<double>& Distances;
   std::vector<LabelOrigin>& Origins;
-  /// Vertices that have received a label since Start(), each once; the next Start() resets only
-  /// these.
+  /// Vertices that have received a label since Start(), each once. The next Start() resets only
+  /// these vertices.
   std::vector<Id>& Touched;
   double Limit; ///< smallest number above the radius of the search
-  /// The search may stop when the labels of these vertices are final, and leave all farther
-  /// vertices unreached. Null: no label is skipped.
+  /// Targets. The search may stop when the labels of these vertices are final, and leave all
+  /// farther vertices unreached. Null: all vertices are searched.
   const std::vector<Id>* Targets = nullptr;
 
   SearchLabels(std::vector<double>& distances, std::vector<LabelOrigin>& origins,
@@ -88,7 +88,7 @@ struct SearchLabels
 
   bool IsReached(Id v) const { return this->Distances[v] < this->Limit; }
 
-  /// Removes all labels and enters the seeds, of which each vertex keeps the nearest. Returns the
+  /// Removes all labels and enters the seeds; each vertex keeps its nearest seed. Returns the
   /// number of labels that were removed.
   std::size_t Start(Id numberOfVertices, const std::vector<GraphSeed>& seeds)
   {
@@ -106,7 +106,7 @@ struct SearchLabels
     return removed;
   }
 
-  /// Stores the distance of a vertex, which must be lower than the present one.
+  /// Stores the distance of a vertex. The distance must be lower than the present one.
   void SetDistance(Id v, double distance)
   {
     if (this->Distances[v] == Infinity)

@@ -16,9 +16,9 @@ namespace dgg
 /// the first.
 using SourceGroup = std::vector<std::size_t>;
 
-/// Partitions sources (vertices) into groups of `groupSize`, and a few smaller ones. Groups are
-/// peeled off from the far ends of the surface, so that no isolated sources remain between the
-/// groups.
+/// Returns a partition of sources (vertices) into groups of `groupSize`, and a few smaller groups.
+/// Groups are peeled off from the far ends of the surface, so that no isolated sources remain
+/// between the groups.
 std::vector<SourceGroup> GroupSources(
   const SurfaceMesh& mesh, const std::vector<Id>& sources, std::size_t groupSize);
 }

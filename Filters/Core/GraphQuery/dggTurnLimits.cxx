@@ -9,9 +9,9 @@ namespace dgg
 {
 namespace
 {
-/// Added to the accuracy: lengths and angles are rounded to float.
+/// Margin added to the accuracy, since lengths and angles are rounded to float.
 constexpr double AccuracyMargin = 1e-5;
-/// Subtracted from the angle, radians.
+/// Margin subtracted from the angle, radians.
 constexpr float AngleMargin = 1e-4f;
 
 /// Returns the radius around a vertex within which the surface is a cone.
@@ -43,7 +43,7 @@ TurnLimits::TurnLimits(const GraphView& graph, const SurfaceMesh& mesh)
     {
       continue;
     }
-    // No edge is shorter, since there is no vertex inside the cone.
+    // No edge is shorter than the radius, since there is no vertex inside the cone.
     const double radius = ConeRadius(mesh, v);
     double longest = 0.0;
     for (Offset e = graph.Offsets[v]; e < graph.Offsets[v + 1]; ++e)
