@@ -40,9 +40,10 @@ double Misdirection(const SurfaceMesh& mesh, Id v, double polarAngle, double len
 }
 
 /// Returns the smallest distance of an edge at whose ends shortest paths from the source arrive in
-/// directions that differ by more than 60 degrees (with the edge and its paths unfolded into the
-/// plane), or Infinity. Paths also meet from two sides behind every convex vertex, but with hardly
-/// different directions; such ridges are ignored. Edges within the distance `checked` are skipped.
+/// directions that differ by more than 60 degrees, with the edge and its paths unfolded into the
+/// plane; Infinity if there is no such edge. Behind every convex vertex, paths also meet from two
+/// sides, but with hardly different directions; such ridges are ignored. Edges within the distance
+/// `checked` are skipped.
 double FindRidgeRadius(const SurfaceMesh& mesh, const std::vector<GeodesicSource>& sources,
   const ExactResult& distances, double checked = 0.0)
 {
@@ -82,13 +83,13 @@ double FindRidgeRadius(const SurfaceMesh& mesh, const std::vector<GeodesicSource
 constexpr double LeastEdges = 4.0;
 /// Minimum default R, in longest sides of triangles.
 constexpr double LeastSides = 2.0;
-/// Default R, in square roots of the area: about a radian on a sphere. Slightly larger on coarse
-/// meshes, up to CoarseEdges mean edges.
+/// Default R, in square roots of the area: about a radian on a sphere. R is slightly larger on
+/// coarse meshes, up to CoarseEdges mean edges.
 constexpr double UsualPart = 0.28;
 constexpr double LargestPart = 0.35;
 constexpr double CoarseEdges = 8.0;
-/// Maximum R, in mean edges: its error is then well below that of the mesh, and exact distances
-/// farther away would cost more than everything else.
+/// Maximum R, in mean edges. The error of this R is well below that of the mesh, and exact
+/// distances farther away would cost more than all other steps.
 constexpr double MostEdges = 48.0;
 /// Initial margin of distances beyond R, in mean edges; sufficient except for long edges.
 constexpr double UsualMargin = 2.0;
@@ -97,15 +98,15 @@ constexpr double FirstEdges = 18.0;
 constexpr double Growth = 1.7;
 /// R as a fraction of the distance to a ridge.
 constexpr double RidgeMargin = 0.9;
-/// R in mean edges if ridges are nearer: r then has kinks there, which are less harmful than a
-/// steep s, and much less than no s.
+/// R in mean edges if ridges are nearer. r then has kinks at the ridges, which are less harmful
+/// than a steep s, and much less harmful than no s.
 constexpr double RidgeEdges = 10.0;
 /// Maximum requested R, in square roots of the area. No surface is that large.
 constexpr double LargestMultiple = 1e6;
 /// Minimum fraction of R that is kept if long edges extend beyond the computed distances.
 constexpr double CompletePart = 0.7;
-/// Maximum expected number of windows per vertex of the mesh for continuing the search: more would
-/// cost several times the solve.
+/// Maximum expected number of windows per vertex of the mesh for continuing the search. More
+/// windows would cost several times the solve.
 constexpr double WindowsPerVertex = 8.0;
 /// Tolerance, relative to the sides, with which distances to the corners must fit the plane for a
 /// point inside a triangle.
@@ -227,13 +228,13 @@ Status GreensColumn::FindDistances(double maximum, GreensWorkspace& workspace)
   ExactOptions options;
   options.MaximumDistance = maximum;
   options.Targets = this->Query.Targets;
-  // The number of searches is unknown: each one gets half of the remaining progress.
+  // The number of searches is unknown, so that each search gets half of the remaining progress.
   options.Progress = ProgressPart(this->Progress, 0.0, 0.5);
   this->Progress = ProgressPart(this->Progress, 0.5, 1.0);
   return workspace.Exact.RunKept({ { this->Pole, 0.0 } }, options);
 }
 
-/// Extends distances until all corners are reached of the faces with a corner within the radius.
+/// Extends distances until all corners of the faces with a corner within the radius are reached.
 Status GreensColumn::CompleteDistances(double radius, double reached, GreensWorkspace& workspace)
 {
   const ExactResult& result = workspace.Exact.GetKept();
@@ -274,7 +275,7 @@ double GreensColumn::GetPoleAngle() const
 }
 
 /// Finds the triangles that contain the pole; none for a pole at a vertex, for which distances
-/// suffice.
+/// suffice. Returns false if they are not found.
 bool GreensColumn::FindPoleFaces(std::vector<PoleFace>& faces) const
 {
   if (IsVertex(this->Pole))
@@ -297,8 +298,8 @@ bool GreensColumn::FindPoleFaces(std::vector<PoleFace>& faces) const
   return true;
 }
 
-/// After flips: finds the triangle that contains the pole, given the distances of its corners from
-/// the pole.
+/// Finds the triangle of the flipped mesh that contains the pole, given the distances of its
+/// corners from the pole. Returns false if no triangle fits.
 bool GreensColumn::FindFlippedPoleFace(std::vector<PoleFace>& faces) const
 {
   const IntrinsicTriangulation& triangulation = this->System.GetTriangulation();
@@ -372,8 +373,8 @@ Status GreensColumn::ChooseRadius(GreensWorkspace& workspace, double& radius, do
   const double most = GetUsualRadius(this->System, this->Component);
   const double margin = UsualMargin * edge;
   const double budget = WindowsPerVertex * mesh.GetNumberOfVertices();
-  // In steps, because ridges may be near and the cost of paths is superlinear. On most meshes the
-  // first step also covers the margin beyond the radius.
+  // The radius grows in steps, because ridges may be near and the cost of paths is superlinear. On
+  // most meshes the first step also covers the margin beyond the radius.
   double checked = 0.0;
   radius = std::min(most, FirstEdges * edge);
   while (true)
@@ -402,7 +403,7 @@ Status GreensColumn::ChooseRadius(GreensWorkspace& workspace, double& radius, do
 Status GreensColumn::StartWithLogarithm(GreensWorkspace& workspace)
 {
   const PoissonSystem& system = this->System;
-  // A radius beyond the entire surface only adds a constant, which is subtracted in the end.
+  // A radius beyond the entire surface only adds a constant, which is subtracted at the end.
   const double size = std::sqrt(system.GetComponentArea(this->Component));
   double radius = std::min(this->Query.Radius, LargestMultiple * size);
   double reached = radius + UsualMargin * system.GetMeanEdge(this->Component);

@@ -28,7 +28,7 @@ struct GreensWorkspace
   SingularPart Singular;
 };
 
-/// Usage: Start(), solve for TakeSources(), Finish() with the solution.
+/// One column. Usage: Start(), solve for TakeSources(), Finish() with the solution.
 class GreensColumn
 {
 public:
@@ -37,7 +37,8 @@ public:
   {
   }
 
-  /// `progress` is used instead of the progress callback of the query.
+  /// Computes distances and loads of a pole. `progress` is used instead of the progress callback of
+  /// the query.
   Status Start(const SurfacePoint& pole, const GreensQuery& query, const ProgressCallback& progress,
     GreensWorkspace& workspace);
   /// Returns the right-hand side per vertex: the loads of the pole and of the logarithm, or the
@@ -50,14 +51,14 @@ public:
   /// Adds the logarithm to the regular part in `solution`, which is moved to the result.
   void AddLogarithm(std::vector<double>& solution, GreensResult& result) const;
 
-  /// For GreensOrder::BiLaplace, given the result of Finish(): the sources of the second equation,
-  /// and the result from its solution.
+  /// Functions for GreensOrder::BiLaplace, to be called with the result of Finish(): the first
+  /// returns the sources of the second equation, the second computes the result from its solution.
   /// @{
   std::vector<double> TakeSecondSources(GreensResult& result) const;
   void FinishSecond(std::vector<double>& solution, GreensResult& result) const;
   /// @}
 
-  /// Returns the default radius of the logarithm, if there are no ridges.
+  /// Returns the default radius of the logarithm in the absence of ridges.
   static double GetUsualRadius(const PoissonSystem& system, Id component);
   static bool IsTooCoarse(const PoissonSystem& system, Id component, double radius);
   /// Returns true if triangles are so large relative to the default radius that functions of points
@@ -66,7 +67,7 @@ public:
   static bool HasLargeTriangles(const PoissonSystem& system, Id component);
 
   bool HasLogarithm() const { return this->Method == GreensMethod::SingularitySubtraction; }
-  /// Weighted mean of the logarithm.
+  /// Returns the weighted mean of the logarithm.
   double GetMean() const { return this->Mean; }
 
 private:
@@ -101,7 +102,7 @@ private:
 Status CheckGreensQuery(const PoissonSolver& solver, const GreensQuery& query);
 
 /// Returns the query for the first equation, with the Laplacian. Order is unchanged because columns
-/// need it.
+/// need the order.
 GreensQuery GetFirstQuery(const GreensQuery& query);
 /// Replaces the results of the first query by those of GreensOrder::BiLaplace.
 void RaiseOrder(const PoissonSystem& system, const GreensQuery& query,

@@ -16,8 +16,8 @@ namespace
 {
 static_assert(
   SparseLanes::SizeAtCompileTime == GreensFunction::PolesInBlock, "a block is solved for at once");
-/// Progress after distances and loads, after the solve, and after the evaluation; the rest is for a
-/// second solve.
+/// Progress after distances and loads, after the solve, and after the evaluation; the remainder is
+/// for a second solve.
 constexpr double StartDone = 0.6;
 constexpr double SolveDone = 0.8;
 constexpr double FinishDone = 0.9;

@@ -19,27 +19,28 @@ namespace dgg
 /// Method by which the Green's function of a point is computed.
 enum class GreensMethod
 {
-  /// g = s(d) + r: the logarithm s of the geodesic distance, cut off at a radius, represents the
-  /// pole exactly; finite elements solve for r, which is smooth. Second order for a fixed radius.
-  /// The default radius is at most 48 mean edges, which is reached at about 30 000 vertices on a
-  /// sphere: beyond that errors decrease more slowly. On the unit sphere with 10 242, 40 962 and
-  /// 163 842 vertices the relative L2 error within 0.2 of the pole was 4.9e-5, 1.7e-5 and 7.0e-6
-  /// (4.6e-6 with a radius of 0.85), the largest error 3.5e-5, 1.3e-5 and 9.8e-6. First order next
-  /// to an interior pole within a few edges of a boundary, since r contains the mirror image of the
-  /// pole.
+  /// Singularity subtraction, g = s(d) + r: the logarithm s of the geodesic distance, cut off at a
+  /// radius, represents the pole exactly; finite elements solve for r, which is smooth. Second
+  /// order for a fixed radius. The default radius is at most 48 mean edges, which is reached at
+  /// about 30 000 vertices on a sphere; on finer meshes errors decrease more slowly. On the unit
+  /// sphere with 10 242, 40 962 and 163 842 vertices the relative L2 error within 0.2 of the pole
+  /// was 4.9e-5, 1.7e-5 and 7.0e-6 (4.6e-6 with a radius of 0.85), the largest error 3.5e-5, 1.3e-5
+  /// and 9.8e-6. First order next to an interior pole within a few edges of a boundary, since r
+  /// contains the mirror image of the pole.
   SingularitySubtraction,
-  /// Interpolated, with a correction around the pole: among the values that reproduce the geodesic
-  /// distances from nearby points in Green's identity, those closest to the interpolated ones. Not
-  /// better than Interpolated: the relative L2 error over the modified vertices, on unit spheres
-  /// with 642, 2562 and 10 242 vertices and averaged over 1020 poles in faces of each, is 1.01 to
-  /// 1.03 times as large: 1.5 times in the middle of faces (all coordinates above 0.2), 0.9 times
-  /// between there and the corners. For comparison.
+  /// Interpolated, with a correction around the pole: of the values that reproduce the geodesic
+  /// distances from nearby points in Green's identity, the correction chooses the values closest to
+  /// the interpolated ones. The method serves for comparison and is not better than Interpolated.
+  /// The relative L2 error over the modified vertices, on unit spheres with 642, 2562 and 10 242
+  /// vertices and averaged over 1020 poles in faces of each sphere, is 1.01 to 1.03 times as large
+  /// as that of Interpolated: 1.5 times in the middle of faces (all coordinates above 0.2), 0.9
+  /// times between the middle and the corners.
   Localized,
-  /// The columns of the corners, weighted by barycentric coordinates: the finite element solution
-  /// with a point load. First order near the pole.
+  /// Weighted sum of the columns of the corners, with barycentric coordinates as weights: the
+  /// finite element solution with a point load. First order near the pole.
   Interpolated,
-  /// The column of the corner with the largest barycentric coordinate among the corners without a
-  /// given value (Lipman, Rustamov and Funkhouser, "Biharmonic distance", 2010).
+  /// Column of the corner with the largest barycentric coordinate among the corners without a given
+  /// value (Lipman, Rustamov and Funkhouser, "Biharmonic distance", 2010).
   Vertex
 };
 
@@ -75,19 +76,21 @@ enum class GreensPole
 enum class GreensRemark
 {
   None,
-  /// The largest usable disk for the logarithm is smaller than four mean edges, or the default disk
-  /// is smaller than twice the mean (over the area) of the longest side of triangles, or all
-  /// corners of the pole's face have given values, which makes finite elements 0: Interpolated was
-  /// used. Refine the mesh around the pole.
+  /// Interpolated was used, because the mesh around the pole is too coarse; refine it. This remark
+  /// has three causes. The largest usable disk for the logarithm is smaller than four mean edges;
+  /// the default disk is smaller than twice the mean (over the area) of the longest side of
+  /// triangles; or all corners of the pole's face have given values, which makes finite elements 0.
   TooCoarse,
-  /// Within ten mean edges of the pole, or the requested Radius, shortest paths from different
-  /// sides meet, for example behind a spike or a sharp corner: the regular part has kinks there.
-  /// Errors are still a fraction of those of Interpolated.
+  /// The regular part has kinks, because shortest paths from different sides meet within ten mean
+  /// edges of the pole, or within the requested Radius, for example behind a spike or a sharp
+  /// corner. Errors are still a fraction of the errors of Interpolated.
   NearRidge,
-  /// The triangle of the flipped mesh that contains the pole was not found: Interpolated was used.
+  /// Interpolated was used, because the triangle of the flipped mesh that contains the pole was not
+  /// found.
   NoTriangle,
-  /// Localized requires that no values around the pole are given, that distances there are
-  /// meaningful, and that there are at most a few hundred neighbors: Interpolated was used.
+  /// Interpolated was used, because Localized is not applicable. Localized requires that no values
+  /// around the pole are given, that distances around the pole are meaningful, and that there are
+  /// at most a few hundred neighbors.
   NotLocalized
 };
 
@@ -97,11 +100,12 @@ struct GreensQuery
   GreensOrder Order = GreensOrder::Laplace; ///< BiLaplace ignores Sign and Pole
   GreensSign Sign = GreensSign::Positive;
   GreensPole Pole = GreensPole::CellAverage;
-  /// Radius of s. 0 means 0.28 times the square root of the component's area (up to 0.35 on coarse
-  /// meshes), at most 48 mean edges; less if shortest paths from different sides meet earlier, or
-  /// if the number of targets would make distances more expensive than the solve.
+  /// Radius of s, model units. 0 means 0.28 times the square root of the component's area (up to
+  /// 0.35 on coarse meshes), at most 48 mean edges. The radius is smaller if shortest paths from
+  /// different sides meet within it, or if the number of targets would make distances more
+  /// expensive than the solve.
   double Radius = 0.0;
-  /// Points whose values are computed besides those of the vertices.
+  /// Points, in addition to the vertices, whose values are computed.
   std::vector<SurfacePoint> Targets;
   bool WantIntegrals = false;
   ProgressCallback Progress; ///< may be empty
@@ -111,9 +115,9 @@ struct GreensResult
 {
   std::vector<double> Values;       ///< per vertex; 0 in other components
   std::vector<double> TargetValues; ///< per target
-  /// Per vertex, the integral of g phi_i with the hat function of the vertex, lumped, if requested.
-  /// sum Integrals[i] f_i + (mean of u) is the solution of -Laplace u = f, or Laplace^2 u = f, at
-  /// the pole.
+  /// Per vertex, the lumped integral of g phi_i with the hat function phi_i of the vertex, if
+  /// requested. sum Integrals[i] f_i + (mean of u) is the solution of -Laplace u = f, or Laplace^2
+  /// u = f, at the pole.
   std::vector<double> Integrals;
   GreensMethod Method = GreensMethod::Vertex; ///< method that was used
   GreensRemark Remark = GreensRemark::None;
@@ -139,13 +143,13 @@ public:
   /// called by several threads simultaneously.
   Status Run(const SurfacePoint& pole, const GreensQuery& query, GreensResult& result) const;
   /// Computes the Green's functions of several points; `results[k]` belongs to pole k. Consecutive
-  /// blocks of eight are solved together, in about half the time. May be called by several threads
-  /// simultaneously, each for its own blocks; progress is reported by the calling thread.
+  /// blocks of eight poles are solved together, in about half the time. May be called by several
+  /// threads simultaneously, each for its own blocks; progress is reported by the calling thread.
   Status Run(const std::vector<SurfacePoint>& poles, const GreensQuery& query,
     std::vector<GreensResult>& results) const;
   static constexpr Id PolesInBlock = 8;
-  /// Maximum memory in bytes of one thread for a block including results, per vertex and per
-  /// target.
+  /// Maximum memory in bytes of one thread for a block of poles including results, per vertex and
+  /// per target.
   static constexpr double BytesPerVertex = 560.0;
   static constexpr double BytesPerTarget = 128.0;
 

@@ -33,8 +33,8 @@ public:
   {
   }
 
-  /// Returns the regular part of a vertex for a radius; valid until three others have been
-  /// requested.
+  /// Finds the regular part of a vertex for a radius. The pointer is valid until three other
+  /// vertices have been requested.
   Status Find(const PoissonSystem& system, Id v, const GreensQuery& query,
     const ProgressCallback& progress, const std::vector<float>*& values)
   {
@@ -99,8 +99,8 @@ private:
     std::uint64_t LastUse = 0;
   };
 
-  /// Frees memory for additional columns by discarding the least recently used ones. At least three
-  /// in total are kept.
+  /// Frees memory for additional columns by discarding the least recently used ones. Keeps at least
+  /// three columns in total.
   void Shrink(std::size_t more)
   {
     while (this->Columns.size() + more > 3 && this->GetMemorySize(more) > this->MemoryLimit)
@@ -137,7 +137,7 @@ Status GreensInterpolation::Run(
   const SurfaceMesh& mesh = system.GetMesh();
   this->Columns->Update(system, this->MemoryLimit);
   const Id component = system.GetComponent(pole);
-  // Used where columns of vertices are not applicable.
+  // Runs GreensFunction, if columns of vertices are not applicable.
   const auto runFunction = [&](double begin) {
     GreensQuery other = query;
     other.Method = GreensMethod::SingularitySubtraction;

@@ -25,9 +25,10 @@ namespace dgg
 class DGG_CORE_EXPORT GreensInterpolation
 {
 public:
-  /// The solver must be ready and outlive the object. If the memory limit is exceeded, least
-  /// recently used columns are discarded; the columns of the current face are always kept. All
-  /// columns are recomputed after the solver has been prepared with other options.
+  /// Creates an empty cache of columns for a solver, which must be ready and outlive the object. If
+  /// the memory limit is exceeded, least recently used columns are discarded; the columns of the
+  /// current face are always kept. All columns are recomputed after the solver has been prepared
+  /// with other options.
   explicit GreensInterpolation(
     const PoissonSolver& solver, std::size_t memoryLimit = std::size_t(1) << 28);
   ~GreensInterpolation();
@@ -38,13 +39,13 @@ public:
   void SetMemoryLimit(std::size_t bytes) { this->MemoryLimit = bytes; }
 
   /// Computes the Green's function of one point. The method of the query is ignored, and integrals
-  /// are those of the interpolation. Where the mesh is too coarse, or corners of the face have
-  /// given values, the result is that of GreensFunction. Not thread-safe.
+  /// are those of the interpolation. If the mesh is too coarse, or corners of the face have given
+  /// values, the result is that of GreensFunction. Not thread-safe.
   Status Run(const SurfacePoint& pole, const GreensQuery& query, GreensResult& result);
 
-  /// Number of columns solved so far, for tests.
+  /// Returns the number of columns solved so far, for tests.
   Id GetNumberOfColumns() const;
-  /// Memory in bytes.
+  /// Returns the memory in bytes.
   std::size_t GetMemorySize() const;
 
 private:

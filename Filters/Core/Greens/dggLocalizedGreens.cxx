@@ -36,7 +36,8 @@ public:
       this->Vertices.push_back(v);
     }
   }
-  /// Adds the neighbors of the listed vertices. Returns false if there would be too many.
+  /// Adds the neighbors of the listed vertices. Returns false if the number of vertices would be
+  /// too large.
   bool AddRing()
   {
     const std::size_t end = this->Vertices.size();
@@ -64,7 +65,7 @@ private:
   std::map<Id, std::size_t> Places;
 };
 
-/// Computes distances from a point to vertices. Returns false if some are not connected.
+/// Computes distances from a point to vertices. Returns false if some vertices are not connected.
 bool FindDistances(ExactGeodesics& exact, const SurfacePoint& source, const std::vector<Id>& to,
   std::vector<double>& distances)
 {
@@ -83,8 +84,8 @@ bool FindDistances(ExactGeodesics& exact, const SurfacePoint& source, const std:
   return std::all_of(distances.begin(), distances.end(), [](double d) { return d < Infinity; });
 }
 
-/// Finds the vertices nearest to the pole, from complete rings around it, and then their neighbors.
-/// Returns the number of near vertices; 0 if there are too many neighbors.
+/// Finds the vertices nearest to the pole, from complete rings around the pole, and then their
+/// neighbors. Returns the number of near vertices; 0 if the number of neighbors is too large.
 std::size_t FindNeighbors(const PoissonSystem& system, const SurfacePoint& pole,
   ExactGeodesics& exact, std::unique_ptr<Neighborhood>& all)
 {
@@ -141,7 +142,8 @@ Status Localize(const PoissonSystem& system, const SurfacePoint& pole, ExactGeod
   {
     return Status::Success();
   }
-  // Distances from all vertices to the near ones, and to the pole in the last column.
+  // Columns: distances from all vertices to the near ones; the last column has the distances to the
+  // pole.
   Eigen::MatrixXd distances(all, near + 1);
   std::vector<double> column;
   for (Eigen::Index i = 0; i <= near; ++i)

@@ -12,10 +12,10 @@
 
 namespace dgg
 {
-/// Number of vertices around the pole whose spline weights are used: the nearest ones.
+/// Number of vertices around the pole, the nearest ones, whose spline weights are used.
 constexpr Id LocalizedVertices = 60;
-/// Maximum number of these vertices and their neighbors. On ordinary meshes there are about 110;
-/// many more occur where fans have hundreds of triangles.
+/// Maximum number of these vertices and their neighbors. The usual number is about 110; larger
+/// numbers occur if fans have hundreds of triangles.
 constexpr Id MostLocalizedVertices = 400;
 
 /// Modifies an interpolated Green's function around its pole x, which is not a vertex. In Green's
@@ -26,9 +26,9 @@ constexpr Id MostLocalizedVertices = 400;
 ///     minimize |g - g0|  subject to  sum_i d(s, i) psi_i(x) = d(s, x),
 ///
 /// over the neighbors of the near vertices i. The interpolation of g0 makes the distances linear in
-/// the face of x, which they are not. `isLocalized` is false, and nothing is changed, if a nearby
-/// value is given, there are too many neighbors, or a change would be larger than the values. Only
-/// fails when stopped.
+/// the face of x, although exact distances are not linear. `isLocalized` is false, and the values
+/// are unchanged, if a nearby value is given, the number of neighbors is too large, or a change
+/// would be larger than the values. Only fails when stopped.
 Status Localize(const PoissonSystem& system, const SurfacePoint& pole, ExactGeodesics& exact,
   const ProgressCallback& progress, std::vector<double>& values, bool& isLocalized);
 }

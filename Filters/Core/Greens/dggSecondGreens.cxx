@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Green's functions of the bi-Laplacian, from those of the Laplacian: L q = M g. With
-// GreensMethod::SingularitySubtraction, g = s + r enters with the integrals of the logarithm s, and
-// S, whose Laplacian is -s up to a smooth function, is subtracted from q.
+// Green's functions of the bi-Laplacian, from Green's functions of the Laplacian: L q = M g. With
+// GreensMethod::SingularitySubtraction, g = s + r enters with the integrals of the logarithm s. The
+// function S, whose Laplacian is -s up to a smooth function, is subtracted from q.
 #include "dggGreensColumn.h"
 
 namespace dgg

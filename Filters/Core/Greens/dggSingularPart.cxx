@@ -17,26 +17,26 @@ namespace
 constexpr double Nodes[2] = { 0.33998104358485626480, 0.86113631159405257522 };
 constexpr double NodeWeights[2] = { 0.65214515486254614263, 0.34785484513745385737 };
 
-/// -(u - 1) + (u - 1)^2 / 2 - (u - 1)^3 / 3.
+/// Returns -(u - 1) + (u - 1)^2 / 2 - (u - 1)^3 / 3.
 double Cut(double u)
 {
   return 11.0 / 6.0 - u * (3.0 - u * (1.5 - u / 3.0));
 }
 
-/// With s = -(log u + Cut(u)) / (2 Theta) and z the vector from the pole, z H has divergence s,
-/// where H = -(log(u) / 2 + CutMoment(u)) / (2 Theta).
+/// Returns the polynomial part of H. With s = -(log u + Cut(u)) / (2 Theta) and z the vector from
+/// the pole, z H has divergence s, where H = -(log(u) / 2 + CutMoment(u)) / (2 Theta).
 double CutMoment(double u)
 {
   return 5.0 / 12.0 - u * (0.75 - u * (0.25 - u / 24.0));
 }
 
-/// S without its factor.
+/// Returns S without its factor.
 double PotentialOf(double u)
 {
   return (u > 0.0 ? u * std::log(u) : 0.0) + 1.0 / 3.0 + u * (0.5 - u * (1.0 - u / 6.0));
 }
 
-/// Antiderivative of log(t^2 + y^2) for y >= 0.
+/// Returns the antiderivative of log(t^2 + y^2) for y >= 0.
 double LogarithmTo(double t, double y)
 {
   const double square = t * t + y * y;
@@ -68,12 +68,13 @@ public:
   bool IsInside() const { return this->Inside; }
   double GetHeight() const { return this->Height; }
 
-  /// Integrates log(t^2 + y^2).
+  /// Returns the integral of log(t^2 + y^2).
   double IntegrateLogarithm() const
   {
     return LogarithmTo(this->To, this->Height) - LogarithmTo(this->From, this->Height);
   }
-  /// Integrates a function that is a cubic polynomial of u = t^2 + y^2 or close to one.
+  /// Returns the integral of a function that is a cubic polynomial of u = t^2 + y^2 or close to
+  /// one.
   double Integrate(double (*polynomial)(double)) const
   {
     const double middle = 0.5 * (this->From + this->To);
@@ -111,7 +112,7 @@ private:
   bool Inside = false;
 };
 
-/// Integrates s over a triangle in the plane.
+/// Returns the integral of s over a triangle in the plane.
 double IntegrateOver(
   const Logarithm& logarithm, const std::array<Point2, 3>& corners, const Point2& pole)
 {
@@ -165,9 +166,9 @@ std::array<double, 3> IntegrateNear(const Logarithm& logarithm,
   return parts;
 }
 
-/// Like IntegrateNear(), by three-point quadrature: exact for quadratic functions, and far from the
-/// pole s is smooth. In the plane the squared distance from a point, with barycentric coordinates
-/// b, is sum b_i d_i^2 - sum b_i b_j l_ij^2.
+/// Returns the same shares as IntegrateNear(), by three-point quadrature. The quadrature is exact
+/// for quadratic functions, and far from the pole s is smooth. In the plane the squared distance
+/// from a point, with barycentric coordinates b, is sum b_i d_i^2 - sum b_i b_j l_ij^2.
 std::array<double, 3> IntegrateFar(const Logarithm& logarithm,
   const IntrinsicTriangulation& triangulation, Id f, const std::array<double, 3>& d, bool isLumped)
 {
@@ -254,7 +255,7 @@ double Logarithm::IntegratePotentialAlong(double length, double fromOrigin, doub
 double Logarithm::IntegrateSector(double length, double fromOrigin, double fromEnd) const
 {
   const Chord chord(length, fromOrigin, fromEnd, this->Radius);
-  // Beyond R the integral depends on the angle only.
+  // The integral beyond R depends on the angle only.
   double sector = chord.GetAngleOutside() / 16.0;
   if (chord.IsInside())
   {

@@ -32,18 +32,19 @@ public:
   double At(double distance) const;
   /// Returns the mean over the disk of the given radius, at most R.
   double MeanOverDisk(double radius) const;
-  /// S(d) = R^2 / (8 Theta) [u log u - (u - 1) - (u - 1)^2 / 2 + (u - 1)^3 / 6], 0 from R on. Its
-  /// negative Laplacian equals s up to a smooth function. Value and first three derivatives are 0
-  /// at R.
+  /// Returns S(d) = R^2 / (8 Theta) [u log u - (u - 1) - (u - 1)^2 / 2 + (u - 1)^3 / 6], 0 from R
+  /// on. The negative Laplacian of S equals s up to a smooth function. Value and first three
+  /// derivatives are 0 at R.
   double PotentialAt(double distance) const;
 
-  /// Integrals for a segment in the plane whose ends have the given distances from the pole.
+  /// Functions that integrate over a segment in the plane, or the triangle behind it. The ends of
+  /// the segment have the given distances from the pole.
   /// @{
-  /// Integral of s along the segment.
+  /// Returns the integral of s along the segment.
   double IntegrateAlong(double length, double fromOrigin, double fromEnd) const;
-  /// Integral of S along the segment.
+  /// Returns the integral of S along the segment.
   double IntegratePotentialAlong(double length, double fromOrigin, double fromEnd) const;
-  /// Integral of s over the triangle spanned by the pole and the segment; non-negative.
+  /// Returns the integral of s over the triangle spanned by the pole and the segment; non-negative.
   double IntegrateSector(double length, double fromOrigin, double fromEnd) const;
   /// @}
 
@@ -63,8 +64,8 @@ struct PoleFace
 
 /// Integrals of s(d) and S(d), with d the distance from the pole, against hat functions. On every
 /// edge, d is modeled as the distance from a point in the plane that matches the values at the
-/// ends. Then the integral of grad s . grad phi over a triangle, which equals that of s along its
-/// sides times the constant grad phi . n, has a closed form.
+/// ends. With this model, the integral of grad s . grad phi over a triangle has a closed form: it
+/// equals the integral of s along the sides times the constant grad phi . n.
 class SingularPart
 {
 public:
@@ -74,18 +75,19 @@ public:
   }
 
   /// Computes the integrals. `distances` per vertex must be set at all corners of faces that have a
-  /// corner within R; they may be Infinity elsewhere. Faces with an unreached corner that intersect
-  /// the disk only in their interior are ignored, since s is negligible there. With `hasPotential`,
-  /// the loads of S and the integrals of s against hat functions are computed as well.
+  /// corner within R; other distances may be Infinity. Faces with an unreached corner that
+  /// intersect the disk only in their interior are ignored, since s is negligible in these faces.
+  /// If `hasPotential` is true, the loads of S and the integrals of s against hat functions are
+  /// computed as well.
   void Assemble(const Logarithm& logarithm, const std::vector<double>& distances,
     const std::vector<PoleFace>& poleFaces, bool hasPotential = false);
 
-  /// Per vertex, minus the integral of grad s . grad phi. The loads sum to 0.
+  /// Returns, per vertex, minus the integral of grad s . grad phi. The loads sum to 0.
   const std::vector<double>& GetLoads() const { return this->Loads; }
-  /// The corresponding loads of S; empty unless requested.
+  /// Returns the corresponding loads of S; empty unless requested.
   const std::vector<double>& GetPotentialLoads() const { return this->PotentialLoads; }
-  /// Per vertex, its share of the integral of s: a third of that over each of its faces, or the
-  /// integral of s phi.
+  /// Returns, per vertex, its share of the integral of s. The share is a third of the integral over
+  /// each of its faces, or the integral of s phi.
   const std::vector<double>& GetIntegrals() const { return this->Integrals; }
 
 private:
@@ -93,9 +95,9 @@ private:
   std::vector<double> Loads;
   std::vector<double> PotentialLoads;
   std::vector<double> Integrals;
-  // Per half-edge, means of s and S on the edge; only set at the first half-edge of each edge.
+  // Means of s and S on an edge, per half-edge; only set at the first half-edge of each edge.
   std::vector<std::array<double, 2>> Means;
-  std::vector<std::uint8_t> IsDone; // at the same half-edges, true if set
+  std::vector<std::uint8_t> IsDone; // per half-edge, true if Means is set
 };
 }
 

@@ -102,7 +102,7 @@ std::vector<double> FindShifts(const HeatSystem& system, const std::vector<Geode
   const std::vector<Corner>& corners, const std::vector<double>& leastOffsets,
   const std::vector<double>& values)
 {
-  // The constant that each source requires.
+  // Constant that each source requires.
   std::vector<double> shifts(sources.size());
   std::vector<Id> components(sources.size(), NoId);
   for (std::size_t k = 0; k < sources.size(); ++k)
@@ -114,8 +114,8 @@ std::vector<double> FindShifts(const HeatSystem& system, const std::vector<Geode
     components[corner.Source] = system.GetComponent(corner.Vertex);
     shifts[corner.Source] += corner.Weight * (corner.Distance - values[corner.Vertex]);
   }
-  // The sources with the smallest initial distance determine the constant. Others may be dominated
-  // by one of these; then they would require a much larger constant.
+  // The sources with the smallest initial distance determine the constant. Other sources may be
+  // dominated by one of these, and would then require a much larger constant.
   const auto isLeast = [&](std::size_t k) {
     return sources[k].InitialDistance == leastOffsets[components[k]];
   };
@@ -178,7 +178,7 @@ void ForEachNeighbour(const SurfaceMesh& mesh, Id v, Visitor&& visit)
 }
 
 /// Computes the direction from the origin of half-edge h to the source, in the frame of h. Returns
-/// false if the distances do not determine it.
+/// false if the distances do not determine the direction.
 bool PointToSource(const SurfaceMesh& mesh, Id h, double offset,
   const std::vector<double>& distances, Point2& direction)
 {
@@ -252,10 +252,11 @@ std::vector<Id> FindNearestSources(const SurfaceMesh& mesh,
   return nearest;
 }
 
-/// Computes the polar angle at every vertex towards the source: the mean over its faces of the
-/// direction to the point with the given distances from the corners, minus `offsets` (exact if the
-/// faces lie in a plane with the source). Angles around interior vertices are scaled to 2 pi for
-/// the mean. At irregular vertices, the direction of the face into which it points best.
+/// Computes the polar angle at every vertex towards the source. The angle is the mean over the
+/// faces of the vertex of the direction to the point with the given distances from the corners,
+/// minus `offsets`; exact if the faces lie in a plane with the source. Angles around interior
+/// vertices are scaled to 2 pi for the mean. At irregular vertices, the direction is taken from the
+/// face into which it points best.
 void FindDirectionsOfDescent(
   const SurfaceMesh& mesh, const std::vector<double>& distances, VirtualSources& sources)
 {
@@ -291,8 +292,8 @@ void FindDirectionsOfDescent(
         }
         continue;
       }
-      // Scaled around the center of the corner, because angles outside the corner do not belong to
-      // the face.
+      // The direction is scaled around the center of the corner, because angles outside the corner
+      // do not belong to the face.
       const double angle = scale * (begin + 0.5 * corner) + (turn - 0.5 * corner);
       sum.X += corner * std::cos(angle);
       sum.Y += corner * std::sin(angle);
@@ -306,7 +307,7 @@ void FindDirectionsOfDescent(
         sources[v].Angle = (angle < 0.0 ? angle + 2.0 * Pi : angle) / scale;
         continue;
       }
-      // Clamp to the surface: the nearer of the two ends if the direction points outside.
+      // Clamp to the surface. If the direction points outside, use the nearer of the two ends.
       const double middle = 0.5 * total;
       angle += 2.0 * Pi * std::round((middle - angle) / (2.0 * Pi));
       sources[v].Angle = std::min(std::max(angle, 0.0), total);
@@ -314,7 +315,8 @@ void FindDirectionsOfDescent(
   }
 }
 
-/// Returns the nearest source as a virtual source, in the direction opposite to the gradient.
+/// Returns the virtual source of each vertex: the nearest source, in the direction opposite to the
+/// gradient.
 VirtualSources FindVirtualSources(
   const SurfaceMesh& mesh, const std::vector<GeodesicSource>& sources, const HeatResult& result)
 {
@@ -401,8 +403,8 @@ Status HeatMethod::Run(
   DGG_RETURN_IF_ERROR(this->Check(sources, query));
   const std::vector<Corner> corners = FindCorners(this->Mesh, sources);
   DGG_RETURN_IF_ERROR(CheckCorners(system, sources.size(), corners));
-  // Heat flow; the function whose gradient is the normalized gradient of the temperature is the
-  // distance up to a constant per component.
+  // Solve the heat flow, then find the function whose gradient is the normalized gradient of the
+  // temperature. This function is the distance up to a constant per component.
   const std::vector<double> leastOffsets = FindLeastOffsets(system, sources, corners);
   result.Distances = system.Solve(FindLoads(system, sources, corners, leastOffsets),
     ProgressPart(query.Progress, 0.0, SystemsDone));

@@ -26,9 +26,9 @@ enum class HeatBoundary
   Average    ///< mean of both, as Crane, Weischedel and Wardetzky advise
 };
 
-/// Range of the time step factor. At both ends the distances are far from the exact ones: their
-/// average error is 15 % at the lower end, where heat flows along edges, and 23 % at the upper end,
-/// where the temperature is nearly uniform. Beyond the range rounding errors dominate.
+/// Range of the time step factor. At both ends the average error of the distances is large: 15 % at
+/// the lower end, where heat flows along edges, and 23 % at the upper end, where the temperature is
+/// nearly uniform. Beyond the range rounding errors dominate.
 /// @{
 constexpr double SmallestTimeStepFactor = 1e-6;
 constexpr double LargestTimeStepFactor = 1e6;
@@ -77,27 +77,27 @@ struct HeatResult
 };
 
 /// The heat method (Crane, Weischedel and Wardetzky, "Geodesics in heat", 2013) on one mesh, which
-/// must outlive the object: heat flows from the sources for a short time; the normalized gradient
+/// must outlive the object. Heat flows from the sources for a short time; the normalized gradient
 /// of the temperature is projected onto gradients of functions, which gives the distances. Two
-/// linear systems are factorized in advance; a query takes two solves. The error is
-/// unbounded: 0.5 to 2.2 % on average is usual on fine meshes, more on coarse ones and close to
+/// linear systems are factorized in advance; a query takes two solves. The error is unbounded; the
+/// average is usually 0.5 to 2.2 % on fine meshes, and larger on coarse meshes and close to
 /// sources. Any triangle complex is accepted; vertices are reached in the components (through edges
 /// and shared vertices) that have a source.
 ///
-/// Where the temperature underflows the range of double, beyond about 500 edges from the sources,
+/// If the temperature underflows the range of double, beyond about 500 edges from the sources,
 /// numbers with a larger range are used, with which a query takes several times as long.
 ///
 /// Sources inside faces and on edges are loads at the corners. The distances are determined up to a
 /// constant per component. The constant is chosen so that the corners of the sources have the
-/// correct straight distances on average; for sources at vertices, so that the mean over the
-/// sources is correct. Then distances below the smallest initial distance are raised to it, and
-/// distances at the corners of a source are lowered to the straight distance from that source.
+/// correct straight distances on average; for sources at vertices, the mean over the sources is
+/// correct. Then distances below the smallest initial distance are raised to this initial distance,
+/// and distances at the corners of a source are lowered to the straight distance from the source.
 ///
-/// Initial distances: shifting the result by the initial distance of the nearest source would be
-/// wrong, since the initial distances determine which source is nearest and where the gradients
-/// turn. As the temperature falls like exp(-d / sqrt(t)) with the distance, a source with initial
-/// distance o gets exp(-o / sqrt(t)) of the heat, so that the gradients turn where d + o is equal.
-/// The constant is then computed from the sources that are not dominated by another source.
+/// Shifting the result by the initial distance of the nearest source would be wrong, since the
+/// initial distances determine which source is nearest and where the gradients turn. As the
+/// temperature falls like exp(-d / sqrt(t)) with the distance, a source with initial distance o
+/// gets exp(-o / sqrt(t)) of the heat, so that the gradients turn where d + o is equal. The
+/// constant is then computed from the sources that are not dominated by another source.
 class DGG_CORE_EXPORT HeatMethod
 {
 public:
@@ -113,12 +113,12 @@ public:
   Status Prepare(const HeatOptions& options, const ProgressCallback& progress,
     const std::function<Status(double bytes)>& checkMemory = {});
   /// Returns the estimated size in bytes of all data including factorizations, at most twice the
-  /// actual size. To be called after Prepare().
+  /// actual size. May only be called after Prepare().
   double GetEstimatedMemory() const;
 
-  /// Computes distances from the nearest source, after Prepare(). Fails like ExactGeodesics::Run();
-  /// also if the heat has a Dirichlet boundary and a source lies on it. May be called by several
-  /// threads simultaneously.
+  /// Computes distances from the nearest source, after Prepare(). Fails like ExactGeodesics::Run().
+  /// Also fails if the heat has a Dirichlet boundary and a source lies on the boundary. May be
+  /// called by several threads simultaneously.
   Status Run(
     const std::vector<GeodesicSource>& sources, const HeatQuery& query, HeatResult& result) const;
 

@@ -12,11 +12,11 @@ namespace dgg
 {
 namespace
 {
-/// Temperatures below this have, or will soon have, less than double precision.
+/// Temperature below which values have, or will soon have, less than double precision.
 constexpr double LeastHeat = 1e-250;
 /// Bytes per vertex of the matrix, of a derived matrix, and of arrays.
 constexpr double BytesPerVertex = 200.0;
-/// Loads below this are not attempted in double precision.
+/// Logarithm of the load below which double precision is not attempted.
 constexpr double LeastLogarithm = -200.0;
 
 template <typename Number>
@@ -137,8 +137,8 @@ double HeatSystem::GetHeatLength(Id component) const
   return std::sqrt(this->Options.TimeStepFactor) * this->MeanEdges[component];
 }
 
-/// M + t L, divided by the square of the mean edge length to keep values in the middle of the
-/// range.
+/// Returns M + t L, divided by the square of the mean edge length to keep values in the middle of
+/// the range.
 HeatSystem::Matrix HeatSystem::MakeHeatMatrix() const
 {
   Matrix matrix = this->Options.TimeStepFactor * this->Stiffness;
@@ -146,7 +146,7 @@ HeatSystem::Matrix HeatSystem::MakeHeatMatrix() const
   {
     const double edge = this->MeanEdges[this->Components[v]];
     const double mass = this->Areas[v] / edge / edge;
-    // A vertex without a face is a system of its own.
+    // A vertex without a face is a separate system.
     matrix.coeffRef(v, v) += mass > 0.0 ? mass : 1.0;
   }
   return matrix;

@@ -36,8 +36,8 @@ public:
   Status Factorize(const ProgressCallback& progress);
   bool IsReady() const;
 
-  /// Returns the result of a query, per vertex, up to a constant per component. Empty if `progress`
-  /// returned false.
+  /// Returns the result of a query, per vertex, up to a constant per component. The result is empty
+  /// if `progress` returned false.
   std::vector<double> Solve(const std::vector<Load>& loads, const ProgressCallback& progress) const;
 
   const HeatOptions& GetOptions() const { return this->Options; }
