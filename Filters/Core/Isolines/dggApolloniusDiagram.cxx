@@ -11,13 +11,14 @@ namespace dgg
 {
 namespace
 {
-/// A site is dominated if its advantage is below this fraction of its distance to another site.
+/// Relative tolerance of domination. A site is dominated if its advantage is below this fraction of
+/// its distance to another site.
 constexpr double DominationTolerance = 1e-9;
-/// Angles that differ by less are equal, radians.
+/// Difference below which angles are equal, radians.
 constexpr double AngleTolerance = 1e-10;
-/// Nodes closer than this are merged, relative to the longest side.
+/// Distance below which nodes are merged, relative to the longest side.
 constexpr double MergeTolerance = 1e-8;
-/// Minimum relative distance of a site from a side; closer sites lie on the side, up to rounding.
+/// Minimum relative distance of a site from a side. Closer sites lie on the side, up to rounding.
 constexpr double SmallestHeight = 1e-14;
 }
 
@@ -57,8 +58,8 @@ void ApolloniusDiagram::DropDominated()
 {
   const std::size_t n = this->Sites.size();
   this->IsDropped.assign(n, false);
-  // In order of weights, a site can only be dominated by an earlier one. If that one was removed,
-  // the site that dominated it dominates this one as well.
+  // In order of weights, a site can only be dominated by an earlier site. If the earlier site was
+  // removed, the site that dominated it dominates the later site as well.
   std::vector<std::size_t> order(n);
   for (std::size_t i = 0; i < n; ++i)
   {
@@ -112,7 +113,7 @@ void ApolloniusDiagram::CollectBorders(std::size_t i, const Point2& axis)
   }
 }
 
-/// Returns the nearest border in the direction of an angle, or directly after it.
+/// Returns the nearest border in the direction of an angle, or directly after this direction.
 std::size_t ApolloniusDiagram::FindOutermost(double angle) const
 {
   const double cosine = std::cos(angle);
@@ -132,8 +133,8 @@ std::size_t ApolloniusDiagram::FindOutermost(double angle) const
   return best;
 }
 
-/// Finds where another border becomes nearer than the current one, after `angle` and not after
-/// `end`.
+/// Finds the angle at which another border becomes nearer than the current one, after `angle` and
+/// not after `end`. Returns false if no border becomes nearer.
 bool ApolloniusDiagram::FindNext(
   std::size_t current, double angle, double end, std::size_t& next, double& at) const
 {
@@ -146,7 +147,7 @@ bool ApolloniusDiagram::FindNext(
     {
       continue;
     }
-    // It is nearer where the cosine of the angle from the middle exceeds the ratio.
+    // The other border is nearer at angles from the middle whose cosine exceeds the ratio.
     const Border& to = this->Borders[b];
     const Point2 way = Difference(to.A, from.A);
     const double size = Norm(way.X, way.Y);
@@ -160,7 +161,8 @@ bool ApolloniusDiagram::FindNext(
     double begin = std::remainder(middle - half - angle, 2.0 * Pi);
     if (begin < 0.0)
     {
-      // It is nearer already, or only after a full turn, which is too late.
+      // The other border is already nearer, or becomes nearer only after a full turn, which is too
+      // late.
       begin = begin + 2.0 * half > AngleTolerance ? 0.0 : begin + 2.0 * Pi;
     }
     if (angle + begin < at)

@@ -31,11 +31,11 @@ struct ApolloniusNode
   double X = 0.0;        ///< abscissa on the side
 };
 
-/// A point p belongs to the site with the smallest weight + |p - site|. Cells are star-shaped
-/// around their sites: for a direction u, the inverse of the distance to the border with another
-/// site is linear in u, and so is the inverse of the distance to a side of the triangle. A cell is
-/// therefore an upper envelope of functions of one angle, which requires no triples of sites.
-/// Dominated sites have no cell.
+/// Cells of weighted sites. A point p belongs to the site with the smallest weight + |p - site|.
+/// Cells are star-shaped around their sites: for a direction u, the inverse of the distance to the
+/// border with another site is linear in u, and so is the inverse of the distance to a side of the
+/// triangle. A cell is therefore an upper envelope of functions of one angle, which requires no
+/// triples of sites. Dominated sites have no cell.
 ///
 /// Each cell is computed independently; nodes that several cells find are merged. If many sites
 /// tie, rounding may cause missing or shortened edges, but never wrong nodes.
@@ -46,12 +46,12 @@ public:
   void Build(const std::array<Point2, 3>& corners, const std::vector<WeightedSite>& sites);
 
   const std::vector<ApolloniusNode>& GetNodes() const { return this->Nodes; }
-  /// Edges as pairs of nodes.
+  /// Returns the edges as pairs of nodes.
   const std::vector<std::pair<int, int>>& GetEdges() const { return this->Edges; }
 
 private:
-  /// A border as seen from the current site: 1 / distance = A . u - C. Belongs to another site, or
-  /// to a side (~side).
+  /// A border as seen from the current site: 1 / distance = A . u - C. The border belongs to
+  /// another site, or to a side (~side).
   struct Border
   {
     Point2 A;

@@ -39,7 +39,8 @@ void ApolloniusFace::Enter(Id f)
   this->AddRim();
   this->IsBuilt = false;
   const auto range = std::minmax_element(this->Values.begin(), this->Values.end());
-  // Every point is this close to the boundary, and every boundary point to a node.
+  // Upper bound of the distance from any point to the boundary, and from a boundary point to a
+  // node.
   double around = 0.0;
   double longest = 0.0;
   const SurfaceMesh& mesh = *this->Field.Mesh;
@@ -54,7 +55,7 @@ void ApolloniusFace::Enter(Id f)
   this->Largest = *range.second + reach;
 }
 
-/// Builds the triangles, which are only needed if a level crosses the face.
+/// Builds the triangles. They are only needed if a level crosses the face.
 void ApolloniusFace::Build()
 {
   this->IsBuilt = true;
@@ -140,9 +141,9 @@ int ApolloniusFace::FindRimNode(int side, double x) const
   return best;
 }
 
-/// Adds the interior nodes of the diagram, and its edges. If an edge ends on the boundary where two
-/// sites of different sides tie, there is no node at the end, because the adjacent face would not
-/// have it; such an edge is omitted.
+/// Adds the interior nodes of the diagram, and its edges. If an edge ends on the boundary at a tie
+/// of two sites of different sides, the end has no node, because the adjacent face would not have
+/// this node; such an edge is omitted.
 void ApolloniusFace::AddDiagram(FaceTriangulation& triangulation)
 {
   std::vector<int> numbers;
@@ -178,7 +179,7 @@ void ApolloniusFace::AddDiagram(FaceTriangulation& triangulation)
   }
 }
 
-/// Returns the triangle on the left of a directed edge; -1 if there is none.
+/// Returns the triangle on the left of a directed edge; -1 if no triangle is on the left.
 int ApolloniusFace::TriangleOf(int begin, int end) const
 {
   const TriangleEdge wanted{ begin, end, 0 };
@@ -187,7 +188,7 @@ int ApolloniusFace::TriangleOf(int begin, int end) const
   return found != this->TriangleEdges.end() && !(wanted < *found) ? found->Triangle : -1;
 }
 
-/// Returns the point between two nodes where the distance attains a level.
+/// Returns the point between two nodes at which the distance attains a level.
 std::array<double, 3> ApolloniusFace::PlaceBetween(int a, int b, double level) const
 {
   const double below = 0.5 * this->Values[a]; // halved, because differences may overflow

@@ -20,27 +20,28 @@ namespace dgg
 {
 class FaceTriangulation;
 
-/// Returns the index of the crossing of a level on an edge (its representative half-edge), between
-/// two neighboring nodes of the edge.
+/// Function that returns the index of the crossing of a level on an edge (its representative
+/// half-edge), between two neighboring nodes of the edge.
 using CrossingFinder = std::function<Id(Id halfEdge, Id interval)>;
 
 /// A face subdivided into triangles on which the distance is linear: their corners are the nodes of
 /// the three edges (dggHermiteEdge.h) and the nodes of the Apollonius diagram of the sites. Edges
 /// of the diagram, straightened, are edges of triangles where possible.
 ///
-/// The distance at a node of the diagram is that of the field inside the face (dggFaceProfile.h),
-/// because the distance of the diagram is an overestimate: the path to the point need not start at
+/// The distance at a node of the diagram is that of the field inside the face (dggFaceProfile.h).
+/// The distance of the diagram is an overestimate, because the path to the point need not start at
 /// a site. An object can be reused for other faces, which saves allocations.
 class ApolloniusFace
 {
 public:
-  /// A field with neither virtual sources nor windows is linear inside faces.
+  /// Prepares subdivisions for a field. A field with neither virtual sources nor windows is linear
+  /// inside faces.
   ApolloniusFace(const DistanceField& field, int steinerPoints);
 
   /// Selects a face, which must be reached (DistanceField::IsReached()).
   void Enter(Id f);
 
-  /// Bounds of the distance in the face, as tight as values on its boundary allow.
+  /// Returns the bounds of the distance in the face, as tight as values on its boundary allow.
   double GetSmallest() const { return this->Smallest; }
   double GetLargest() const { return this->Largest; }
 
@@ -99,12 +100,12 @@ private:
 };
 
 /// Finds the isolines of increasing levels, edge by edge and face by face, from the Apollonius
-/// diagrams of points on the boundaries of faces: cubics along edges, linear in the triangles into
-/// which the diagrams subdivide faces. Along edges the distance is linear between the nodes of
-/// HermiteEdge.
+/// diagrams of points on the boundaries of faces. The distance is a cubic along edges, and linear
+/// in the triangles into which the diagrams subdivide faces. Along edges the distance is linear
+/// between the nodes of HermiteEdge.
 ///
 /// Both ends of a curve are crossings of its level. Each crossing is an end of exactly one curve in
-/// each reached face of its edge, so that no curve dangles. Points at the level count as above; the
+/// each reached face of its edge, so that no curve dangles. Points at the level count as above. The
 /// lower side is on the left of a curve with respect to the orientation of the face. Curves are
 /// sorted by face and level. The result does not depend on the number of threads.
 ///

@@ -75,7 +75,7 @@ void CrossFace(ApolloniusFace& face, const DistanceField& field, Id f,
     high = std::max(high, d);
     longest = std::max(longest, mesh.Length(h));
   }
-  // Range of a distance; a cubic may exceed it by the same amount.
+  // Range of a distance. A cubic may exceed the range by the same amount.
   const double reach = 2.0 * FarthestFromCorners * longest;
   const auto count = static_cast<Id>(levels.size());
   const Id first = FirstFrom(levels, low - reach);

@@ -20,7 +20,7 @@ namespace
 /// Progress after each step.
 constexpr double CutDone = 0.7;
 constexpr double CornersDone = 0.8;
-/// Points of lines within this distance in a face, in barycentric coordinates, become one vertex
+/// Distance below which points of lines in a face become one vertex, in barycentric coordinates
 /// (dggSurfaceRefinement.h).
 constexpr double MergeDistance = 2e-9;
 
@@ -49,8 +49,8 @@ Status CheckArguments(
   return Status::Success();
 }
 
-/// Returns the lines without those of repeated levels, which coincide with the first ones and would
-/// all be intersected with each other.
+/// Returns the lines without the lines of repeated levels. Lines of repeated levels coincide with
+/// the first ones, and all of them would be intersected with each other.
 Isolines WithoutRepeatedLevels(const std::vector<double>& levels, const Isolines& lines)
 {
   std::map<double, Id> firstOf;
@@ -112,8 +112,8 @@ bool BandFinder::IsReached(Id face) const
   return this->Field.IsReached(this->Result.Surface.Faces[face]);
 }
 
-/// Sets the distances of vertices: levels on lines, given distances elsewhere. All new vertices are
-/// on lines.
+/// Sets the distances of vertices: levels on lines, given distances at other vertices. All new
+/// vertices are on lines.
 void BandFinder::FindDistances(const std::vector<double>& levels, const std::vector<Id>& levelOf)
 {
   const SubMesh& surface = this->Result.Surface;
@@ -138,7 +138,7 @@ void BandFinder::FindDistances(const std::vector<double>& levels, const std::vec
 }
 
 /// Returns the first and the last band to which a face may belong according to its corners. The
-/// range is empty if they contradict each other.
+/// range is empty if the corners contradict each other.
 std::pair<Id, Id> BandFinder::BandsOf(Id face) const
 {
   Id first = 0;
@@ -172,8 +172,8 @@ Id BandFinder::BandOfCentroid(Id face)
   return this->BandAt(this->Profile.At(this->Profile.PlaceOf(sum)));
 }
 
-/// Assigns bands: first to faces that are determined by their corners, then to their neighbors that
-/// are not separated by a line, and finally to the rest one by one.
+/// Assigns bands. First assigns the faces that are determined by their corners, then their
+/// neighbors that are not separated by a line, and finally the remaining faces one by one.
 void BandFinder::FindBands()
 {
   const SubMesh& surface = this->Result.Surface;

@@ -18,19 +18,19 @@ namespace dgg
 struct Bands
 {
   SubMesh Surface;
-  /// The levels in increasing order, each once. Band i lies between levels i - 1 and i; the first
-  /// one is below all levels, the last one above.
+  /// Levels in increasing order, each once. Band i lies between levels i - 1 and i; the first band
+  /// is below all levels, the last band above.
   std::vector<double> Levels;
   std::vector<Id> BandOf;        ///< per face of the surface; NoId if unreached
   std::vector<double> Distances; ///< per vertex; on isolines exactly the level
 };
 
-/// Cuts a mesh along isolines, which must be those of TraceIsolines() for these levels. Points at a
-/// level count as farther than the level. Faces with unreached corners belong to no band. Of equal
-/// levels, only the lines of the first one cut.
+/// Cuts a mesh along isolines, which must be the isolines of TraceIsolines() for these levels.
+/// Points at a level count as farther than the level. Faces with unreached corners belong to no
+/// band. If levels are equal, the mesh is cut only by the lines of the first one.
 ///
-/// Bands change only across isolines, provided that these are complete; faces whose corners are
-/// undecided take the band of their neighbors.
+/// Bands change only across isolines, provided that the isolines are complete. Faces whose corners
+/// are undecided take the band of their neighbors.
 DGG_CORE_EXPORT Status MakeBands(const DistanceField& field, const std::vector<double>& levels,
   const Isolines& lines, const ProgressCallback& progress, Bands& bands);
 }

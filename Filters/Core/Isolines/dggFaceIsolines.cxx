@@ -14,11 +14,11 @@ namespace
 constexpr std::array<int, 5> CellsOfMarchingTriangles{ { 4, 8, 16, 32, 64 } };
 /// Minimum number of lattice cells per seed (times two), except for the finest lattice.
 constexpr double CellsPerSeed = 4.0;
-/// A source this close to the boundary is on it, in barycentric coordinates.
+/// Barycentric coordinate below which a source counts as on the boundary.
 constexpr double OnRim = 1e-9;
 /// Barycentric coordinate of the samples close to corners.
 constexpr double NearCorner = 0.8;
-/// Rows of the lattice on which a maximum is searched, and number of its points.
+/// Rows of the lattice on which a maximum is searched, and number of points of the lattice.
 constexpr int PeakRows = 4;
 constexpr int PeakSamples = PeakRows * (PeakRows + 1) / 2;
 /// Initial step of the search for a maximum, number of halvings, and number of directions.
@@ -42,7 +42,7 @@ FaceIsolines::FaceIsolines(const DistanceField& field, const std::vector<double>
 {
 }
 
-/// A cheap conservative test.
+/// Returns true if the face may contain a source. The test is cheap and conservative.
 bool FaceIsolines::MayHoldSource(Id f) const
 {
   if (this->Field.HasWindows())
@@ -99,7 +99,8 @@ Id FaceIsolines::Trace(Id f, std::vector<FaceCurve>& curves)
   const auto end = this->Levels.end();
   if (!isLinear)
   {
-    // Levels between the distance of a source inside and that of the path through a corner.
+    // Levels between the distance of a source inside the face and that of the path through a
+    // corner.
     const auto above = std::upper_bound(begin, end, farthest);
     for (auto level = above; level != end && *level <= nearest + reach; ++level)
     {
@@ -138,8 +139,8 @@ Id FaceIsolines::Trace(Id f, std::vector<FaceCurve>& curves)
 }
 
 /// Finds the points around which isolines may be closed within the face. The source of a corner may
-/// be one even if its model has a small deficit, as with the rounded angles of graphs: the distance
-/// there decides.
+/// be such a point even if its model has a small deficit, as with the rounded angles of graphs; the
+/// distance at the source decides.
 void FaceIsolines::FindSeeds()
 {
   for (const FieldSample& source : this->Profile.GetSources())
@@ -185,7 +186,8 @@ void FaceIsolines::AddSource(const FieldSample& sample)
   this->Seeds.push_back({ place, distance, false });
 }
 
-/// Finds the maximum of the face, unless it is on the boundary: isolines may be closed around it.
+/// Finds the maximum of the face, around which isolines may be closed, unless the maximum is on the
+/// boundary.
 void FaceIsolines::FindPeak()
 {
   if (!this->Profile.MayHavePeak())
@@ -211,8 +213,8 @@ void FaceIsolines::FindPeak()
     [](const FieldSample& a, const FieldSample& b) { return a.Distance < b.Distance; });
   std::array<double, 3> best = places[farthest - samples.begin()];
   double value = farthest->Distance;
-  // Between two wavefronts, the ascent runs along a ridge of unknown direction: all directions are
-  // tried, different ones in each step.
+  // Between two wavefronts, the ascent runs along a ridge of unknown direction. Therefore all
+  // directions are tried, different ones in each step.
   double step = FirstStep;
   for (int i = 0; i < StepsOfPeak; ++i)
   {
@@ -256,7 +258,7 @@ void FaceIsolines::CollectSeeds(Id level)
   }
 }
 
-/// Collects the crossings of one level; levels must be visited in increasing order.
+/// Collects the crossings of one level. Levels must be visited in increasing order.
 void FaceIsolines::CollectRim(Id level)
 {
   const SurfaceMesh& mesh = *this->Field.Mesh;
@@ -341,7 +343,7 @@ Id FaceIsolines::TraceLevel(Id level, std::vector<FaceCurve>& curves)
   return failures;
 }
 
-/// Traces a single curve between two crossings, if it is simple.
+/// Traces a single curve between two crossings. Returns false if a single curve is not sufficient.
 bool FaceIsolines::TraceDirectly(const LevelArc& arc, Id level, std::vector<FaceCurve>& curves)
 {
   LevelChain chain;

@@ -23,7 +23,8 @@ namespace dgg
 class FaceIsolines
 {
 public:
-  /// `levels` must be increasing. Curves approximate the level sets within `tolerance`.
+  /// Prepares tracing. `levels` must be increasing. Curves approximate the level sets within
+  /// `tolerance`.
   FaceIsolines(const DistanceField& field, const std::vector<double>& levels, double tolerance,
     const LevelCrossings& crossings);
 
@@ -32,8 +33,8 @@ public:
   Id Trace(Id f, std::vector<FaceCurve>& curves);
 
 private:
-  /// A point around which isolines may be closed: for levels above its distance around a source,
-  /// for levels not above its distance around a local maximum.
+  /// A point around which isolines may be closed. Around a source these are isolines of levels
+  /// above its distance, around a local maximum isolines of levels not above its distance.
   struct Seed
   {
     Point2 Place;

@@ -15,24 +15,24 @@ namespace
 constexpr int SamplesOfSide = 8;
 constexpr int SamplesOfCorner = 2;
 constexpr int SamplesOfCut = 6;
-/// Bisection widths; at corners, smaller ones would reveal rounding.
+/// Bisection widths. At corners, smaller widths would reveal rounding.
 constexpr double WidthOfSide = 1e-12;
 constexpr double WidthOfCorner = 1e-4;
-/// Tolerance between a jump and the tie, relative to the longest edge; larger on the boundary,
-/// which is sampled slightly inside.
+/// Tolerance between a jump and the tie, relative to the longest edge. The tolerance is larger on
+/// the boundary, which is sampled slightly inside.
 constexpr double RimSlack = 1e-4;
 constexpr double CutSlack = 1e-6;
-/// Minimum relative size of subregions that are divided further: where ridges meet, and where a
-/// ridge ends because its angle decreases.
+/// Minimum relative size of subregions that are divided further, if ridges meet in the subregion,
+/// and if a ridge ends because its angle decreases.
 constexpr double SmallestPart = 1e-7;
 constexpr double SmallestDeadEnd = 1e-2;
-/// Subregions smaller than this fraction of the tolerance are not divided either.
+/// Fraction of the tolerance below which subregions are not divided either.
 constexpr double SmallShare = 0.1;
-/// Position and rotation of cuts: arbitrary values that do not coincide with symmetries of regular
-/// meshes.
+/// Position and rotation of cuts: arbitrary values, which do not coincide with symmetries of
+/// regular meshes.
 constexpr double CutPlace = 0.4871;
 constexpr double CutTurn = 0.1373;
-/// Relative step from a tie to a point where a single source is nearest.
+/// Relative step from a tie to a point at which a single source is nearest.
 constexpr double TieStep = 1e-6;
 constexpr int MaximumDepth = 12;
 /// Minimum number of bisections of a curve whose ends belong to different sources.
@@ -65,8 +65,8 @@ void FaceRidgeFinder::Find(Id f, FaceRidges& found)
   this->Connect(this->MakeRim());
 }
 
-/// Returns the boundary of the search region: the hexagon that remains after cutting the corners
-/// off, with the ridge points that leave between its corners.
+/// Returns the boundary of the search region. The boundary is the hexagon that remains after
+/// cutting the corners off, with the ridge points that leave between its corners.
 FaceRidgeFinder::Rim FaceRidgeFinder::MakeRim()
 {
   std::array<std::array<Point2, 2>, 3> ends;
@@ -170,8 +170,8 @@ void FaceRidgeFinder::Connect(const Rim& rim)
   }
   if (ridges.size() == 2)
   {
-    // If there is nothing in between, this is not a single line: two ridges end, or there are more
-    // with smaller angles.
+    // If no ridge point is found in between, the two ends do not belong to one line: two ridges
+    // end, or further ridges have smaller angles.
     if (!this->AddPiece(ridges[0], ridges[1], size <= SmallestDeadEnd * this->Size))
     {
       this->Divide(rim);
@@ -262,7 +262,7 @@ void FaceRidgeFinder::Divide(const Rim& rim)
     cut.push_back({ jump.Place, this->AddEnd(end, { place, jump.Before, jump.After }) });
   }
   cut.push_back({ places[1], NoId });
-  // The region between the cuts, and the rest.
+  // Parts: the region between the cuts, and the remainder.
   Rim part(rim.begin() + static_cast<std::ptrdiff_t>(cuts[0]) + 1,
     rim.begin() + static_cast<std::ptrdiff_t>(cuts[1]) + 1);
   part.insert(part.end(), cut.rbegin(), cut.rend());
@@ -273,8 +273,8 @@ void FaceRidgeFinder::Divide(const Rim& rim)
   this->Connect(part);
 }
 
-/// Finds the point with three shortest paths, if there are three sources around a subregion and the
-/// point lies inside.
+/// Finds the point with three shortest paths. Returns false if a subregion is not surrounded by
+/// three sources, or the point does not lie inside.
 bool FaceRidgeFinder::FindJunction(
   const std::vector<Id>& ridges, const Rim& rim, Point2& place) const
 {
@@ -310,7 +310,7 @@ bool FaceRidgeFinder::FindJunction(
   {
     return false;
   }
-  // Inside the subregion, up to the inset of the boundary.
+  // The point must lie inside the subregion, up to the inset of the boundary.
   for (std::size_t i = 0; i < rim.size(); ++i)
   {
     const Point2& p = rim[i].Place;
@@ -339,8 +339,8 @@ void FaceRidgeFinder::MakeJunction(const std::vector<Id>& ridges, const Point2& 
   }
 }
 
-/// Adds a ridge segment between two points. Returns false if no ridge is found although there must
-/// be one.
+/// Adds a ridge segment between two points. If no ridge is found between them, adds the segment
+/// nevertheless if `mayFail` is true, and returns false otherwise.
 bool FaceRidgeFinder::AddPiece(Id from, Id to, bool mayFail)
 {
   RidgePiece piece;
@@ -358,7 +358,7 @@ bool FaceRidgeFinder::AddPiece(Id from, Id to, bool mayFail)
   return true;
 }
 
-/// Adds points between two ridge points by bisection. Returns false if some were not found.
+/// Adds points between two ridge points by bisection. Returns false if some points were not found.
 bool FaceRidgeFinder::Refine(
   const Crossing& from, const Crossing& to, int depth, std::vector<std::array<double, 3>>& points)
 {
@@ -384,8 +384,9 @@ bool FaceRidgeFinder::Refine(
   return this->Refine(between, to, depth + 1, points) && isFound;
 }
 
-/// Finds the point of the ridge across the middle of a chord: at the tie of the sources of an end,
-/// otherwise by a new search.
+/// Finds the point at which the ridge crosses the perpendicular through the middle of a chord. The
+/// point is at the tie of the sources of an end, otherwise it is found by a new search. Returns
+/// false if no point is found.
 bool FaceRidgeFinder::FindBetween(const Crossing& from, const Crossing& to, Crossing& between) const
 {
   const double length = Distance(from.Place, to.Place);
@@ -399,7 +400,7 @@ bool FaceRidgeFinder::FindBetween(const Crossing& from, const Crossing& to, Cros
       return true;
     }
   }
-  // Perpendicular to the chord, within the face.
+  // Search the perpendicular of the chord, within the face.
   const std::array<double, 3> here = this->Profile.BarycentricOf(middle);
   const std::array<double, 3> there =
     this->Profile.BarycentricOf({ middle.X + normal.X, middle.Y + normal.Y });
@@ -449,8 +450,8 @@ bool FaceRidgeFinder::IsTie(const Crossing& crossing) const
     this->IsNearest(crossing.After, crossing.Place);
 }
 
-/// Returns true if a source is nearest at a point, possibly tied: after a step towards the source
-/// it must be the only nearest one.
+/// Returns true if a source is nearest at a point, possibly tied. After a step towards the source,
+/// the source must be the only nearest one.
 bool FaceRidgeFinder::IsNearest(const FieldSample& source, const Point2& p) const
 {
   const Point2 way = Difference(source.Image, p);

@@ -40,13 +40,13 @@ struct RidgePiece
 };
 
 /// Ridges within a face. The search region ends slightly inside the boundary of the face, so that
-/// the result does not depend on rounding where a ridge runs along an edge. Corners are cut off as
-/// well; a ridge that enters such a corner region ends at the vertex.
+/// the result does not depend on rounding if a ridge runs along an edge. Corners are cut off as
+/// well; a ridge that enters a cut-off corner ends at the vertex.
 struct FaceRidges
 {
   std::vector<RidgeEnd> Ends;
   std::vector<RidgePiece> Pieces;
-  /// The polar angle of the gradient, in the frame of each half-edge, near its origin and near its
+  /// Polar angle of the gradient, in the frame of each half-edge, near its origin and near its
   /// destination.
   std::array<std::array<float, 2>, 3> RimAngles{};
 };
@@ -57,7 +57,7 @@ class FaceRidgeFinder
 public:
   FaceRidgeFinder(const DistanceField& field, double angle, double chordTolerance);
 
-  /// Finds the ridges of a face, which must be reached.
+  /// Finds the ridges of a face. The face must be reached.
   void Find(Id f, FaceRidges& found);
 
   /// Inset of the search region from the edges, as a barycentric coordinate.
@@ -68,7 +68,8 @@ public:
   Id GetNumberOfFallbacks() const { return this->Fallbacks; }
 
 private:
-  /// A point on the boundary of a subregion of the face: a corner, or a point where a ridge leaves.
+  /// A point on the boundary of a subregion of the face: a corner, or a point at which a ridge
+  /// leaves.
   struct RimPoint
   {
     Point2 Place;

@@ -14,7 +14,7 @@ constexpr double ImageTolerance = 1e-8;
 /// Minimum divergence of gradients that indicates a source between them.
 constexpr double ApartTolerance = 0.05;
 constexpr int NewtonSteps = 12;
-/// Smaller relative steps are rounding errors.
+/// Relative step below which steps are rounding errors.
 constexpr double LastStep = 1e-15;
 
 Point2 DirectionFromSource(const FieldSample& sample, const Point2& p)
@@ -122,8 +122,8 @@ void FieldJumpFinder::Find(
   }
 }
 
-/// Intervals with at least half the angle are bisected, because the gradient may turn back before
-/// and after a jump.
+/// Searches jumps in an interval. Intervals with at least half the angle are bisected, because the
+/// gradient may turn back before and after a jump.
 void FieldJumpFinder::Search(const Way& way, double begin, const FieldSample& atBegin, double end,
   const FieldSample& atEnd) const
 {
@@ -156,7 +156,7 @@ void FieldJumpFinder::Search(const Way& way, double begin, const FieldSample& at
   }
 }
 
-/// The usual case: there are only two sources, and the jump is at their tie.
+/// Handles the usual case of two sources, with the jump at their tie. Returns false in other cases.
 bool FieldJumpFinder::SearchTie(const Way& way, double begin, const FieldSample& atBegin,
   double end, const FieldSample& atEnd) const
 {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Discontinuities of the gradient: points where the direction to the source jumps. Internal.
+/// Discontinuities of the gradient: points at which the direction to the source jumps. Internal.
 #ifndef dggFieldJumps_h
 #define dggFieldJumps_h
 
@@ -30,34 +30,37 @@ bool HaveOneSource(const FieldSample& a, const FieldSample& b, double length);
 /// Returns the distance of a point from the source of a sample.
 double DistanceFromSource(const FieldSample& sample, const Point2& p);
 
-/// Moves a point along a unit direction, by at most `limit`, to where its distances from both
-/// sources are equal. Returns false if there is no such point, or if the sources are unknown.
+/// Moves a point along a unit direction, by at most `limit`, to the position at which its distances
+/// from both sources are equal. Returns false if no such position exists, or if the sources are
+/// unknown.
 bool MoveToTie(
   const FieldSample& a, const FieldSample& b, const Point2& direction, double limit, Point2& p);
 
-/// Moves a point to where its distances from three sources are equal.
+/// Moves a point to the position at which its distances from three sources are equal. Returns false
+/// if no such position is found.
 bool MoveToTie(const FieldSample& a, const FieldSample& b, const FieldSample& c, Point2& p);
 
 /// Finds jumps of the gradient along segments in a face.
 class FieldJumpFinder
 {
 public:
-  /// `angle` is the smallest jump that is detected, in radians.
+  /// Prepares the search in a face. `angle` is the smallest jump that is detected, in radians.
   FieldJumpFinder(const FaceProfile& profile, double angle)
     : Profile(profile)
     , Angle(angle)
   {
   }
 
-  /// Resets the sample budget; to be called per face. The budget is needed because with very large
-  /// coordinates the gradient is dominated by rounding, and jumps would appear everywhere.
+  /// Resets the sample budget; must be called for each face. The budget is needed because with very
+  /// large coordinates the gradient is dominated by rounding, and the search would find jumps
+  /// everywhere.
   void Restart() const { this->SamplesLeft = MostSamples; }
   /// Returns true if the sample budget was exhausted, so that jumps may be missing.
   bool IsExhausted() const { return this->SamplesLeft <= 0; }
 
-  /// Appends the jumps on the segment from p to q. They are detected between `count` + 1 samples
-  /// and bisected to `width`, a fraction of the segment. Only converging gradients count: where
-  /// they diverge there is a source.
+  /// Appends the jumps on the segment from p to q. Jumps are detected between `count` + 1 samples
+  /// and bisected to `width`, a fraction of the segment. Only converging gradients count, because a
+  /// source lies between diverging gradients.
   void Find(
     const Point2& p, const Point2& q, int count, double width, std::vector<FieldJump>& jumps) const;
 

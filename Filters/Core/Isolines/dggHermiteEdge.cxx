@@ -11,8 +11,8 @@ namespace dgg
 {
 namespace
 {
-/// A model whose error at the other end exceeds this fraction of the edge length belongs to another
-/// path.
+/// Tolerance of the error of a model at the other end, as a fraction of the edge length. A model
+/// with a larger error belongs to another path.
 constexpr double BranchTolerance = 1e-9;
 /// Minimum distance between nodes, relative to the edge length.
 constexpr double NodeDistance = 1e-9;
@@ -91,7 +91,8 @@ void HermiteEdge::PlaceNodes()
     const double x = i == count ? this->Length : this->Length * i / count;
     this->Nodes.push_back({ x, this->At(x), true });
   }
-  // Keep sites that are nearest somewhere; the others are dominated by a site before or behind.
+  // Keep sites that are nearest to some point of the edge; other sites are dominated by a site
+  // before or behind.
   this->Kept.clear();
   for (const RimNode& node : this->Nodes)
   {

@@ -21,12 +21,12 @@ struct RimNode
   bool IsSite = false; ///< true for ends and Steiner points; false for ties of neighboring sites
 };
 
-/// The distance along an edge as a cubic that interpolates the values and slopes at its ends. The
-/// slopes follow from the directions of the virtual sources, whether or not the field has windows;
-/// an end without a virtual source takes the slope of the chord.
+/// The distance along one edge as a cubic that interpolates the values and slopes at the ends of
+/// the edge. The slopes follow from the directions of the virtual sources, with or without windows.
+/// An end without a virtual source takes the slope of the chord.
 ///
-/// Where the shortest paths to the two ends take different routes, a cubic would smooth the ridge
-/// between them. In that case the distance is the minimum of the distances from the virtual sources
+/// If the shortest paths to the two ends take different routes, a cubic would smooth the ridge
+/// between them. In this case the distance is the minimum of the distances from the virtual sources
 /// of the two ends.
 ///
 /// The result depends only on the edge, not on the face from which it is computed.
@@ -47,11 +47,11 @@ public:
   Id GetHalfEdge() const { return this->HalfEdge; }
   double GetLength() const { return this->Length; }
 
-  /// Returns the distance at an abscissa. At the ends it is that of the vertex.
+  /// Returns the distance at an abscissa. At the ends, the result is the distance of the vertex.
   double At(double x) const;
 
-  /// Returns the ends, the evenly spaced Steiner points and the ties of neighboring sites,
-  /// excluding sites that are nearest nowhere; in order of strictly increasing abscissae.
+  /// Returns the ends, the evenly spaced Steiner points and the ties of neighboring sites, without
+  /// sites that are nearest at no point; in order of strictly increasing abscissae.
   const std::vector<RimNode>& GetNodes() const { return this->Nodes; }
 
 private:

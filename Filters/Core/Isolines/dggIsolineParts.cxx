@@ -15,8 +15,8 @@ namespace
 /// Lines between two progress reports.
 constexpr std::size_t ProgressInterval = 1024;
 
-/// Joins curves into lines. A line has the direction of its curve with the smallest index, and
-/// starts with it if closed. Lines are sorted by level, then by that curve.
+/// Returns the curves joined into chains. A chain has the direction of its curve with the smallest
+/// index, and starts with this curve if closed. Chains are sorted by level, then by this curve.
 std::vector<PieceChain> JoinCurves(const std::vector<FaceCurve>& curves)
 {
   std::vector<std::array<Id, 2>> ends;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Pieces of isolines per edge and face, and how they are joined. Internal.
+/// Pieces of isolines per edge and face, and their connection. Internal.
 #ifndef dggIsolineParts_h
 #define dggIsolineParts_h
 
@@ -30,22 +30,23 @@ struct LevelCrossing
 /// All crossings on the edges of reached faces.
 struct LevelCrossings
 {
-  /// Sorted by half-edge, level and abscissa.
+  /// Crossings, sorted by half-edge, level and abscissa.
   std::vector<LevelCrossing> Crossings;
   /// The crossings of half-edge h, if it represents its edge: [Offsets[h], Offsets[h + 1]).
   std::vector<Id> Offsets;
 };
 
 /// A piece of an isoline within one face, from one crossing on its boundary to another, or closed.
-/// The lower distance is on its left.
+/// The lower distance is on the left of the piece.
 struct FaceCurve
 {
   Id Face = NoId;
   Id Level = 0;
   Id First = NoId; ///< start crossing; NoId for a closed curve
   Id Last = NoId;
-  /// Barycentric coordinates of the points in between, with respect to SurfaceMesh::GetTriangle().
-  /// For a closed curve, of all points without repeating the first.
+  /// Barycentric coordinates of the points between both ends, with respect to
+  /// SurfaceMesh::GetTriangle(). For a closed curve, the coordinates of all points, without
+  /// repeating the first.
   std::vector<std::array<double, 3>> Points;
 };
 
@@ -118,7 +119,7 @@ Status CollectCrossings(const SurfaceMesh& mesh, Offset blockSize, const Paralle
 /// Joins the curves of faces at shared crossings, sorted by level, then curve. A line ends at a
 /// crossing that is not shared by exactly two curves: on the boundary, and on non-manifold edges. A
 /// line has the direction of its first curve. Lines that collapse to a point because they snap to a
-/// vertex are discarded. Fails when stopped; then there are no lines.
+/// vertex are discarded. Fails when stopped; the result is then empty.
 Status JoinFaceCurves(const SurfaceMesh& mesh, const std::vector<LevelCrossing>& crossings,
   const std::vector<FaceCurve>& curves, const ProgressCallback& progress, Isolines& lines);
 }

@@ -66,7 +66,7 @@ void CrossEdge(const DistanceField& field, const std::vector<double>& levels, Id
   const SurfaceMesh& mesh = *field.Mesh;
   const double a = field.Distances[mesh.Origin(h)];
   const double b = field.Distances[mesh.Destination(h)];
-  // Bounds of a function with slopes of at most 1, up to rounding; a field may be steeper.
+  // Bounds of a function with slopes of at most 1, up to rounding. A field may be steeper.
   const double length = (1.0 + 1e-9) * mesh.Length(h);
   const bool isLinear = !field.HasWindows() && !field.HasSources();
   const double lowest = isLinear ? std::min(a, b) : std::min({ a, b, 0.5 * (a + b - length) });

@@ -30,8 +30,8 @@ struct IsolineOptions
   /// Largest distance of a line from the level set, model units; 0 means a thousandth of the mean
   /// edge length.
   double ChordTolerance = 0.0;
-  /// Accuracy setting of Apollonius (ChordTolerance applies to LocalSources only): points per edge
-  /// at which the distance is sampled. More points approximate the field better.
+  /// Number of points per edge at which the distance is sampled, the accuracy setting of Apollonius
+  /// (ChordTolerance applies to LocalSources only). More points approximate the field better.
   int SteinerPoints = 2;
 };
 
@@ -53,10 +53,10 @@ struct Isolines
 /// faces, or on non-manifold edges.
 ///
 /// In addition, LocalSources guarantees that within faces the points of lines are at the level up
-/// to rounding, where the field is continuous. In faces with windows or virtual sources, level sets
-/// are circular arcs: points are distributed along them, and the corners between arcs are points of
-/// the line. Lower distances are on the left of a line, with respect to the orientation of its
-/// first face.
+/// to rounding, if the field is continuous. In faces with windows or virtual sources, level sets
+/// are circular arcs: points are distributed along the arcs, and the corners between arcs are
+/// points of the line. Lower distances are on the left of a line, with respect to the orientation
+/// of its first face.
 ///
 /// The result does not depend on `parallel`.
 DGG_CORE_EXPORT Status TraceIsolines(const DistanceField& field, const std::vector<double>& levels,

@@ -14,17 +14,17 @@ namespace
 {
 /// Relative rounding error of distances.
 constexpr double Rounding = 4e-13;
-/// Points closer than this coincide, relative to the face.
+/// Distance below which points coincide, relative to the face.
 constexpr double SamePoint = 1e-10;
-/// Images closer than this may coincide, relative.
+/// Relative distance below which images may coincide.
 constexpr double SameImage = 1e-9;
 /// Tolerance of points outside the face, in barycentric coordinates.
 constexpr double Outside = 1e-13;
 /// Maximum number of bisections of a chord.
 constexpr int DeepestChord = 12;
 constexpr int MostNewtonSteps = 6;
-/// Maximum distance of Newton steps from the middle of a chord, in chord lengths, so that they do
-/// not reach its ends.
+/// Maximum distance of Newton steps from the middle of a chord, in chord lengths. With this limit
+/// the steps do not reach the ends of the chord.
 constexpr double NewtonReach = 0.8;
 /// Initial search distance from a chord to its isoline, in chord lengths.
 constexpr double NearestSearch = 1.0 / 16.0;
@@ -32,14 +32,14 @@ constexpr int StepsOfSearch = 15; // the distance doubles in each step
 constexpr int MostRootSteps = 80;
 /// Maximum number of pieces, each below the previous one, in the search for a corner.
 constexpr int MostPieces = 8;
-/// Maximum turning angle between two points of an arc, and of an arc within a face.
+/// Maximum turning angle between two points of an arc, and of an arc within a face, radians.
 constexpr double LargestStep = Pi / 6.0;
 constexpr double LargestTurn = 1.4 * Pi;
-/// Corners that turn by less are not visible, radians.
+/// Turning angle below which corners are not visible, radians.
 constexpr double SmallTurn = 0.05;
 /// Sine of half the angle of the sharpest corners.
 constexpr double SharpestWedge = 1e-3;
-/// Pieces shorter than this fraction of the tolerance have no corners.
+/// Length below which pieces have no corners, as a fraction of the tolerance.
 constexpr double SmallPart = 0.01;
 constexpr double MostPointsOfArc = 4096.0;
 
@@ -108,8 +108,8 @@ bool LevelArc::IsSamePiece(const LevelPoint& a, const LevelPoint& b) const
     std::abs(a.Sample.Offset - b.Sample.Offset) <= close;
 }
 
-/// Returns true if there may be a corner between two points that is visible, or higher than the
-/// tolerance: gradients turn as much as the isoline does.
+/// Returns true if the isoline may have a corner between two points that is visible, or higher than
+/// the tolerance. Gradients turn as much as the isoline does.
 bool LevelArc::MayTurn(const LevelPoint& a, const LevelPoint& b) const
 {
   const double turn = Distance(a.Sample.Gradient, b.Sample.Gradient);
@@ -156,7 +156,7 @@ bool LevelArc::RefineChord(
   const Point2 chord = Difference(to.Place, from.Place);
   const double length = Norm(chord.X, chord.Y);
   const double height = std::abs(Cross(chord, Difference(middle.Place, from.Place))) / length;
-  // There may be a corner between the ends that the middle does not reveal.
+  // The isoline may have a corner between the ends that the middle does not reveal.
   if (height <= this->Tolerance && (this->IsSamePiece(from, to) || !this->MayTurn(from, to)))
   {
     return true;
@@ -170,8 +170,8 @@ bool LevelArc::RefineChord(
   return this->RefineChord(middle, to, depth + 1, points) && isFirst;
 }
 
-/// If both ends have the same source, adds evenly spaced points of its circle. Does nothing and
-/// returns false if one of them is not at the level because another source is nearer there.
+/// Adds evenly spaced points of a circle, if both ends have the same source. Returns false without
+/// adding points if a point of the circle is not at the level because another source is nearer.
 bool LevelArc::AddArc(
   const LevelPoint& from, const LevelPoint& to, std::vector<Point2>& points) const
 {
@@ -267,8 +267,8 @@ bool LevelArc::FindCorner(
   return true;
 }
 
-/// Intersects two circles around the images; of the two intersections, chooses the one at the
-/// chord.
+/// Intersects two circles around the images. Of the two intersections, chooses the one at the
+/// chord. Returns false if the circles do not intersect.
 bool LevelArc::MeetCircles(const LevelPoint& from, const LevelPoint& to, Point2& corner) const
 {
   const Point2 way = Difference(to.Sample.Image, from.Sample.Image);
@@ -294,8 +294,8 @@ bool LevelArc::MeetCircles(const LevelPoint& from, const LevelPoint& to, Point2&
   {
     std::swap(places[0], places[1]);
   }
-  // Lower distances are on the left of the isoline: if the middle is above the level, the isoline
-  // is on the left of the middle.
+  // Lower distances are on the left of the isoline. Therefore, if the middle is above the level,
+  // the isoline is on the left of the middle.
   const Point2 chord = Difference(to.Place, from.Place);
   const bool isLeft = this->Profile.At(middle) >= this->Level;
   const bool isBeside = (Cross(chord, Difference(places[0], from.Place)) >= 0.0) == isLeft;
@@ -305,7 +305,7 @@ bool LevelArc::MeetCircles(const LevelPoint& from, const LevelPoint& to, Point2&
 }
 
 /// Finds the intersection of the level sets of both pieces, by Newton's method starting at the
-/// middle of the chord.
+/// middle of the chord. Returns false if the method fails.
 bool LevelArc::MeetCandidates(const LevelPoint& from, const LevelPoint& to, Point2& corner) const
 {
   const Point2 middle = Between(from.Place, to.Place, 0.5);
@@ -364,7 +364,8 @@ LevelPoint LevelArc::Project(const LevelPoint& from, const LevelPoint& to) const
   {
     return best;
   }
-  // Lower distances are on the left.
+  // The search goes to the right if the start is below the level, since lower distances are on the
+  // left.
   const bool isBelow = start.Sample.Distance < this->Level;
   const double side = isBelow ? -1.0 : 1.0;
   const Point2 way = Difference(to.Place, from.Place);

@@ -11,8 +11,8 @@
 
 namespace dgg
 {
-/// A point of an isoline and the field there. At a corner of the isoline there are two such points,
-/// with the field on either side.
+/// A point of an isoline, with the field at the point. At a corner of the isoline there are two
+/// such points, with the field on either side.
 struct LevelPoint
 {
   Point2 Place;
@@ -21,22 +21,23 @@ struct LevelPoint
 };
 
 /// Refines an isoline until it approximates the level set within the tolerance. Level sets are
-/// circular arcs around images of sources, which meet in corners; both are computed exactly. Where
-/// the field is merely smooth, points are found by Newton's method.
+/// circular arcs around images of sources, which meet in corners; arcs and corners are computed
+/// exactly. If the field is merely smooth, points are found by Newton's method.
 ///
 /// Isolines have the lower distance on their left, so that they turn left around sources.
 class LevelArc
 {
 public:
-  /// `tolerance` is the largest distance of the curve from the level set.
+  /// Prepares refinement of the isolines of a level. `tolerance` is the largest distance of the
+  /// curve from the level set.
   LevelArc(const FaceProfile& profile, double level, double tolerance);
 
-  /// Samples the field at a point.
+  /// Returns the field at a point.
   LevelPoint Look(const Point2& place) const;
   bool IsInside(const Point2& place) const;
 
   /// Returns the point at the level between a point below and a point above. IsOnLevel is false if
-  /// the field does not attain the level between them.
+  /// the field does not attain the level between these points.
   LevelPoint FindBetween(const LevelPoint& below, const LevelPoint& above) const;
 
   /// Appends the points between two points of the isoline. Returns false if the tolerance may be

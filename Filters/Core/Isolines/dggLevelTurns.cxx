@@ -13,14 +13,14 @@ namespace dgg
 {
 namespace
 {
-/// Maximum recursion depth of the search for wavefronts between two others.
+/// Maximum recursion depth of the search for wavefronts between two other wavefronts.
 constexpr int MostDepth = 12;
 /// Bisection steps for the point where two wavefronts tie.
 constexpr int StepsOfTie = 40;
-/// Points closer to an end than this, relative, coincide with the end.
+/// Relative distance from an end below which points coincide with the end.
 constexpr double AtEnd = 1e-7;
 
-/// Points of a line where the field may have an extremum.
+/// Points on a line at which the field may have an extremum.
 class Line
 {
 public:
@@ -48,7 +48,7 @@ private:
     }
   }
 
-  /// Adds the minimum of a wavefront.
+  /// Adds the minimum of a wavefront, if it lies between two positions.
   void AddFoot(const FieldSample& wave, double begin, double end)
   {
     const double t = Dot(Difference(wave.Image, this->From), this->Way) / Dot(this->Way, this->Way);
@@ -58,7 +58,8 @@ private:
     }
   }
 
-  /// Collects ties and minima between two positions, given the nearest sources there, in order.
+  /// Collects ties and minima between two positions in order, given the nearest sources at these
+  /// positions.
   void Collect(
     double begin, const FieldSample& first, double end, const FieldSample& last, int depth)
   {

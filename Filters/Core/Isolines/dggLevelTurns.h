@@ -21,13 +21,13 @@ struct LevelEnd
 };
 
 /// Appends points on the straight line between two points, in order, so that the level is crossed
-/// at most once between neighbors: at the minima of wavefronts and where wavefronts meet. Nothing
+/// at most once between neighbors. The points are the minima and the ties of wavefronts. No point
 /// is appended if the ends suffice.
 void FindTurns(const LevelArc& arc, double level, const LevelEnd& from, const LevelEnd& to,
   std::vector<LevelPoint>& turns);
 
-/// Finds the point where the wavefronts of three samples meet, if it lies inside their triangle: it
-/// may be a local maximum.
+/// Finds the point at which the wavefronts of three samples meet, which may be a local maximum.
+/// Returns false if the point does not lie inside the triangle of the samples.
 bool FindMeeting(const std::array<const LevelPoint*, 3>& points, Point2& meeting);
 }
 

@@ -12,10 +12,10 @@ namespace
 {
 /// Bisection steps of the search for a ridge on a side.
 constexpr int StepsOfCrest = 16;
-/// Steps of the search for the lowest point of a ridge, each of which reduces the interval to two
+/// Steps of the search for the lowest point of a ridge. Each step reduces the interval to two
 /// thirds.
 constexpr int StepsOfDip = 12;
-/// A point this close to a side of a triangle is on it, relative to the largest part of the
+/// Distance below which a point is on a side of a triangle, relative to the largest part of the
 /// triangle.
 constexpr double OnSide = 1e-12;
 /// Maximum number of passes that search all triangles for wavefronts between their nodes, and
@@ -176,7 +176,7 @@ void MarchingTriangles::AddTriangles(
   }
 }
 
-/// Adds a cell; a cell with further nodes on its sides is divided from its center.
+/// Adds a cell. A cell with further nodes on its sides is divided from its center.
 void MarchingTriangles::AddCell(const LevelArc& arc, double level, const Triangle& corners,
   const std::array<const std::vector<Id>*, 3>& between)
 {
@@ -267,10 +267,10 @@ void MarchingTriangles::CutSide(Id a, Id b, Id node)
   }
 }
 
-/// Wavefronts of several sources in the face may be narrower than the triangles: divides these
-/// until no side is crossed more than once, and where three wavefronts meet. Existing sides are
-/// processed before new ones, which could lead to slivers along a side that has to be divided
-/// itself.
+/// Divides triangles, because wavefronts of several sources in the face may be narrower than the
+/// triangles. Triangles are divided until no side is crossed more than once, and at points where
+/// three wavefronts meet. Existing sides are processed before new ones, since processing new sides
+/// first could lead to slivers along a side that has to be divided itself.
 void MarchingTriangles::AddTurns(const LevelArc& arc, double level)
 {
   this->Looked.clear();
@@ -340,8 +340,9 @@ bool MarchingTriangles::CutAtMeeting(const LevelArc& arc, double level, std::siz
   return true;
 }
 
-/// Divides triangles where a ridge crosses their sides, so that the narrow strip above the level
-/// along the ridge is not missed between nodes. If the ridge crosses two sides, it connects them.
+/// Divides triangles whose sides a ridge crosses, so that the narrow strip above the level along
+/// the ridge is not missed between nodes. If the ridge crosses two sides of a triangle, the new
+/// nodes are connected.
 void MarchingTriangles::AddCrests(const LevelArc& arc, double level)
 {
   this->Crests.clear();
@@ -404,8 +405,8 @@ void MarchingTriangles::AddCrests(const LevelArc& arc, double level)
   }
 }
 
-/// Returns a node above the level between two nodes below it, if the distance rises from both of
-/// them.
+/// Returns a node above the level between two nodes below the level, if the distance rises from
+/// both nodes; otherwise NoId.
 Id MarchingTriangles::FindCrest(const LevelArc& arc, double level, Id a, Id b)
 {
   if (this->Nodes[a].IsAbove || this->Nodes[b].IsAbove)
@@ -427,7 +428,7 @@ Id MarchingTriangles::FindCrest(const LevelArc& arc, double level, Id a, Id b)
   const FieldSample& atBegin = this->Nodes[low].Point.Sample;
   const FieldSample& atEnd = this->Nodes[high].Point.Sample;
   Id found = NoId;
-  // At a corner of the face the gradient may be undefined.
+  // The gradient may be undefined at a corner of the face.
   if (Dot(atBegin.Gradient, way) >= 0.0 && Dot(atEnd.Gradient, way) <= 0.0 &&
     0.5 * (atBegin.Distance + atEnd.Distance + Norm(way.X, way.Y)) > level &&
     !this->IsOnRim(low, high))
@@ -451,15 +452,17 @@ Id MarchingTriangles::FindCrest(const LevelArc& arc, double level, Id a, Id b)
   return found;
 }
 
-/// Returns a node below the level on the ridge between two nodes above it, if the ridge falls that
-/// low: there, the two wavefronts have met, and the strip is interrupted. Along the ridge of two
-/// wavefronts the distance falls, then rises.
+/// Returns a node below the level on the ridge between two nodes above the level, if the ridge
+/// falls below the level; otherwise NoId. Along the ridge of two wavefronts the distance falls,
+/// then rises. A point below the level shows that the two wavefronts have met, and that the strip
+/// is interrupted.
 Id MarchingTriangles::FindDip(const LevelArc& arc, double level, Id a, Id b)
 {
   const Point2 begin = this->Nodes[a].Point.Place;
   const Point2 way = Difference(this->Nodes[b].Point.Place, begin);
   const Point2 side{ -way.Y, way.X };
-  // The ridge beside the straight line, within the face; in an elongated face the boundary is near.
+  // Samples the ridge beside the straight line, within the face; in an elongated face the boundary
+  // is near.
   const auto look = [&](double t) {
     const Point2 base{ begin.X + t * way.X, begin.Y + t * way.Y };
     double left = -0.5;
@@ -502,7 +505,7 @@ Id MarchingTriangles::FindDip(const LevelArc& arc, double level, Id a, Id b)
   return NoId;
 }
 
-/// Returns true if the side between two nodes lies on the boundary, where the crossings decide.
+/// Returns true if the side between two nodes lies on the boundary, on which the crossings decide.
 bool MarchingTriangles::IsOnRim(Id a, Id b) const
 {
   for (int k = 0; k < 3; ++k)
@@ -522,7 +525,7 @@ Id MarchingTriangles::AddLink(Id low, Id high)
   return this->Nodes[low].LastLink;
 }
 
-/// Returns the link between two nodes.
+/// Returns the link between two nodes. Adds the link if it does not exist.
 Id MarchingTriangles::FindLink(Id a, Id b)
 {
   const Id low = std::min(a, b);
@@ -550,7 +553,8 @@ void MarchingTriangles::March()
       const bool isAbove = this->Nodes[from].IsAbove;
       if (isAbove != this->Nodes[to].IsAbove)
       {
-        // The isoline enters where the boundary rises, so that lower distances are on its left.
+        // The isoline enters at a point where the boundary rises, so that lower distances are on
+        // the left of the isoline.
         (isAbove ? last : first) = this->FindLink(from, to);
       }
     }

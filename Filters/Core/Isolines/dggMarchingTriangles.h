@@ -41,20 +41,21 @@ struct LevelChain
 };
 
 /// Marching triangles on a fine triangulation of one face. The triangulation has nodes between any
-/// two crossings on the boundary and on ridges above the level. If the face contains several
-/// sources, it also has nodes wherever their wavefronts are lowest or meet on sides of its
-/// triangles. On the boundary the crossings decide on which side of the level a node is, inside the
-/// field decides. Thus every crossing belongs to exactly one curve, and curves do not intersect,
+/// two crossings on the boundary, and on ridges above the level. If the face contains several
+/// sources, the triangulation also has nodes at the points on sides of its triangles where
+/// wavefronts are lowest or meet. The side of the level of a node is decided by the crossings if
+/// the node lies on the boundary, and by the field if it lies inside. Thus every crossing belongs
+/// to exactly one curve, and curves do not intersect, for any field.
 /// for any field.
 class MarchingTriangles
 {
 public:
-  /// `cells` is the number of segments into which each side of the face is divided. `seeds` are
-  /// interior points around which small closed curves may lie.
+  /// Builds the triangulation. `cells` is the number of segments into which each side of the face
+  /// is divided. `seeds` are interior points around which small closed curves may lie.
   void Build(const FaceProfile& profile, const LevelArc& arc, double level, const LevelRim& rim,
     int cells, const std::vector<Point2>& seeds);
 
-  /// Returns the curves; those that end on the boundary come first.
+  /// Returns the curves. Curves that end on the boundary come first.
   const std::vector<LevelChain>& GetChains() const { return this->Chains; }
 
 private:
@@ -63,7 +64,7 @@ private:
     LevelPoint Point;
     bool IsAbove = false;
     std::array<bool, 3> IsOnSide{ { false, false, false } }; // per side of the face
-    // Heads of the lists of links and crests whose lower node this is.
+    // Heads of the lists of links and crests whose lower node is this node.
     Id LastLink = NoId;
     Id LastCrest = NoId;
   };
@@ -100,7 +101,8 @@ private:
   void Follow(const LevelArc& arc);
   void FollowFrom(const LevelArc& arc, Id link);
 
-  /// A side of the triangulation that a ridge crosses above the level, though both ends are below.
+  /// A side of the triangulation that a ridge crosses above the level, although both ends are
+  /// below.
   struct Crest
   {
     Id High;   // upper node; the lower node stores the list

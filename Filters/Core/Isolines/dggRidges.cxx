@@ -50,8 +50,8 @@ Status CheckArguments(const DistanceField& field, const RidgeOptions& options)
   return CheckCorners(*field.Mesh);
 }
 
-/// Ridge segments and their connectivity: nodes are points of a surface, arcs polylines within one
-/// face.
+/// Ridge segments and their connectivity. Nodes are points of a surface; arcs are polylines within
+/// one face.
 class RidgeGraph
 {
 public:
@@ -219,7 +219,8 @@ void EdgeJoiner::Run()
   }
 }
 
-/// Only acts for the first half-edge of an edge among reached faces.
+/// Joins the ridges at an edge. Does nothing unless h is the first half-edge of the edge among
+/// reached faces.
 void EdgeJoiner::JoinEdge(Id h)
 {
   std::vector<Id> halfEdges{ h };
@@ -263,8 +264,8 @@ void EdgeJoiner::Collect(Id h, Id first, std::vector<Meeting>& meetings) const
   }
 }
 
-/// Merges ends that several faces found at one position into one node, at the position of the
-/// first. Leaves those that only one face has found.
+/// Merges ends that several faces found at one position into one node, at the position of the first
+/// end. Leaves ends that only one face has found.
 void EdgeJoiner::Merge(Id h, std::vector<Meeting>& meetings)
 {
   const double length = this->Mesh.Length(h);
@@ -308,8 +309,8 @@ void EdgeJoiner::Merge(Id h, std::vector<Meeting>& meetings)
   meetings.swap(alone);
 }
 
-/// Joins ridges that run along the edge, from ends that only one face has found, or from an end of
-/// the edge.
+/// Joins ridges that run along the edge. Such a ridge connects ends that only one face has found,
+/// or ends of the edge.
 void EdgeJoiner::JoinAlong(Id h, Id twin, std::vector<Meeting>& meetings)
 {
   const bool isMirrored = this->Mesh.Origin(twin) == this->Mesh.Origin(h);

@@ -18,8 +18,8 @@ struct RidgeOptions
 {
   /// Minimum angle between the directions to the source on both sides of a ridge, radians. On a
   /// polyhedron, a ridge of small angle starts at every convex vertex, and would clutter the
-  /// result. Values below a tenth of a degree are raised to a tenth of a degree; with virtual
-  /// sources, values below ten degrees are raised to ten degrees, because smaller angles show
+  /// result. Values below a tenth of a degree are raised to a tenth of a degree. With virtual
+  /// sources, values below ten degrees are raised to ten degrees, because smaller angles are
   /// transitions between models.
   double MinimumAngle = 20.0 * Pi / 180.0;
   /// Largest distance of a line from the ridge, model units; 0 means a thousandth of the mean edge
@@ -38,10 +38,10 @@ struct Ridges
 };
 
 /// Finds the ridges (the cut locus) of a distance: the points with at least two shortest paths.
-/// Ridges meet in points with three shortest paths, and end at convex vertices and where the angle
-/// falls below the minimum; mesh vertices on a ridge are points of the lines. Inside faces and
-/// where a ridge crosses an edge, the two distances of a point are equal up to rounding (Mitchell,
-/// Mount and Papadimitriou, "The discrete geodesic problem", 1987).
+/// Ridges meet in points with three shortest paths, and end at convex vertices and at points where
+/// the angle falls below the minimum; mesh vertices on a ridge are points of the lines. Inside
+/// faces, and where a ridge crosses an edge, the two distances of a point are equal up to rounding
+/// (Mitchell, Mount and Papadimitriou, "The discrete geodesic problem", 1987).
 ///
 /// The field must have windows or virtual sources: values at vertices do not determine ridges. With
 /// virtual sources, only ridges of large angles are found, with gaps.
