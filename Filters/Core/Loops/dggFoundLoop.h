@@ -11,14 +11,14 @@ namespace dgg
 {
 struct FoundLoop
 {
-  /// Angles that are smaller than pi by at most this tolerance count as straight: the possible gain
-  /// of a shorter loop is of second order.
+  /// Kink tolerance, radians. Angles that are smaller than pi by at most this tolerance count as
+  /// straight, because the possible gain of a shorter loop is of second order.
   static constexpr double KinkTolerance = 1e-5;
 
-  /// The closed path: the last point equals the first. Empty if there is no loop.
+  /// Closed path: the last point equals the first. Empty if no loop exists.
   SurfacePath Loop;
-  /// The smaller of the two angles of the loop at a required point, radians, at most pi; the
-  /// minimum over all required points. Less than pi if the loop has a kink there, pi for a closed
+  /// Minimum over all required points of the smaller of the two angles of the loop at the point,
+  /// radians, at most pi. Less than pi if the loop has a kink at a required point, pi for a closed
   /// geodesic.
   double Angle = Pi;
 

@@ -27,7 +27,7 @@ public:
   {
   }
 
-  /// Adds a row. Returns false if it is a sum of existing rows.
+  /// Adds a row. Returns false if the row is a sum of existing rows.
   bool Add(Row row)
   {
     // Echelon form: a row with pivot p has no bit before p.
@@ -66,7 +66,7 @@ private:
   }
 
   std::vector<Row> Rows;
-  std::vector<std::size_t> RowOf; // per bit, the row that has its pivot there
+  std::vector<std::size_t> RowOf; // per bit, the row whose pivot is this bit
 };
 
 /// Loops around the handles of a component, and their independence.
@@ -89,7 +89,7 @@ public:
       this->AddLoopsThroughLoops(ProgressPart(progress, FirstShare, CollectShare));
   }
 
-  /// Appends independent loops, shortest first, followed by empty ones for missing loops. Returns
+  /// Appends independent loops, shortest first, followed by empty loops for missing ones. Returns
   /// false if stopped.
   bool TakeShortest(const ProgressCallback& progress, std::vector<FoundLoop>& loops)
   {
@@ -157,9 +157,9 @@ private:
     return true;
   }
 
-  /// Adds loops through points on the loops found so far. The shortest loops depend on the base:
-  /// far from a handle, a loop around it may as well include another handle. Near a loop, the loops
-  /// that cross it are found.
+  /// Adds loops through points on the loops found so far. Returns false if stopped. The shortest
+  /// loops depend on the base: far from a handle, a loop around the handle may also include another
+  /// handle. Through points near a loop, the loops that cross this loop are found.
   bool AddLoopsThroughLoops(const ProgressCallback& progress)
   {
     const std::size_t count = this->Candidates.size();

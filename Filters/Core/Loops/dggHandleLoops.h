@@ -13,11 +13,11 @@
 namespace dgg
 {
 /// Finds closed geodesics of each component that are independent modulo 2: two for each handle, one
-/// for each boundary loop but the last, one for each cross-cap. They are shortened from the
-/// shortest loops of mesh edges through certain vertices. Components are sorted by their smallest
-/// vertices, the loops of each by length. A loop that cannot be moved, because it has to pass
-/// through a vertex in which faces only touch, is represented by an empty loop after the others of
-/// its component.
+/// for each boundary loop but the last, one for each cross-cap. The geodesics result from
+/// shortening the shortest loops of mesh edges through certain vertices. Components are sorted by
+/// their smallest vertices, the loops of each component by length. A loop that cannot be moved,
+/// because it has to pass through a vertex in which faces only touch, is represented by an empty
+/// loop after the other loops of its component.
 ///
 /// Fails if a component has a non-manifold edge. Returns no loops if stopped.
 DGG_CORE_EXPORT Status FindHandleLoops(

@@ -56,7 +56,8 @@ struct EdgeTree
       }
       for (const Id* g = mesh.FanBegin(top.Index); g != mesh.FanEnd(top.Index); ++g)
       {
-        // Both edges of the face, because a boundary edge belongs to no other face of the vertex.
+        // Both edges of the face are used, because a boundary edge belongs to no other face of the
+        // vertex.
         for (const Id h : { *g, SurfaceMesh::Previous(*g) })
         {
           const Id v = mesh.Origin(h) == top.Index ? mesh.Destination(h) : mesh.Origin(h);
@@ -137,9 +138,10 @@ struct Decomposition
   /// Fails if there is a non-manifold edge.
   Status Decompose();
 
-  /// The exterior of all boundaries counts as one additional face.
+  /// Returns the local index of the exterior of all boundaries, which counts as one additional
+  /// face.
   Id Outside() const { return this->Components.GetNumberOfFaces(this->Tree.Component); }
-  /// Local indices of the faces on both sides of an edge.
+  /// Returns the local index of the face on one side of an edge.
   Id FaceOf(Id h) const { return this->Components.NumberOfFace(SurfaceMesh::Face(h)); }
   Id FaceBehind(Id h) const
   {
@@ -192,7 +194,8 @@ Status Decomposition::Decompose()
 {
   std::vector<Id> edges;
   Status status = this->CollectEdges(edges);
-  // Edges with the longest loops enter the dual tree first, so that the shortest remain.
+  // Edges with the longest loops enter the dual tree first, so that edges with the shortest loops
+  // remain.
   const auto length = [&](Id h) {
     return this->Tree.DistanceOf(this->Mesh.Origin(h)) +
       this->Tree.DistanceOf(this->Mesh.Destination(h)) + this->Mesh.Length(h);
@@ -220,8 +223,9 @@ SurfaceComponents::SurfaceComponents(const SurfaceMesh& mesh)
   this->FaceNumbers = NumberMembers(this->Faces, mesh.GetNumberOfFaces());
 }
 
-/// A tree of edges has one edge less than there are vertices; each dual tree has one edge less than
-/// it has faces. The number of remaining edges is the number of loops.
+/// Finds the bases from the number of loops of each component. A tree of edges has one edge less
+/// than the number of vertices; each dual tree has one edge less than its number of faces. The
+/// number of remaining edges is the number of loops.
 Status FindBasesOfLoops(const SurfaceComponents& components, std::vector<Id>& bases)
 {
   bases.clear();
@@ -275,8 +279,8 @@ Status FindHomotopyBasis(const SurfaceComponents& components, Id base, std::vect
   return Status::Success();
 }
 
-/// Each edge in neither tree closes a cycle of faces (a dual cycle). The signature of a loop lists
-/// the dual cycles that it crosses an odd number of times.
+/// Collects the dual cycles. Each edge in neither tree closes a cycle of faces (a dual cycle). The
+/// signature of a loop lists the dual cycles that the loop crosses an odd number of times.
 HomologySignatures::HomologySignatures(const SurfaceComponents& components, Id base)
   : Components(components)
 {

@@ -30,7 +30,7 @@ public:
   /// Returns the face with local index `local` in a component.
   Id GetFace(Id c, Id local) const { return this->Faces.Members[this->Faces.Begins[c] + local]; }
 
-  /// Local indices within the component.
+  /// Returns the local index of a vertex or a face within its component.
   Id NumberOfVertex(Id v) const { return this->VertexNumbers[v]; }
   Id NumberOfFace(Id f) const { return this->FaceNumbers[f]; }
   Id NumberOfHalfEdge(Id h) const { return 3 * this->FaceNumbers[SurfaceMesh::Face(h)] + h % 3; }
@@ -62,13 +62,14 @@ struct EdgeLoop
 class HomologySignatures
 {
 public:
-  /// `base` is a vertex of the component. If Check() fails, no other function may be called.
+  /// Computes the dual cycles of the component that contains the vertex `base`. If Check() fails,
+  /// no other function may be called.
   HomologySignatures(const SurfaceComponents& components, Id base);
   const Status& Check() const { return this->TheStatus; }
-  /// The dimension: two for each handle, one for each boundary loop but the last, one for each
-  /// cross-cap.
+  /// Returns the dimension: two for each handle, one for each boundary loop but the last, one for
+  /// each cross-cap.
   std::size_t GetDimension() const { return this->Dimension; }
-  /// Bit i is bit i % 64 of word i / 64.
+  /// Returns the signature of a loop. Bit i is bit i % 64 of word i / 64.
   std::vector<std::uint64_t> GetSignature(const EdgeLoop& loop) const;
 
 private:
@@ -79,13 +80,13 @@ private:
   std::vector<std::vector<Id>> Cycles;
 };
 
-/// For each component with non-contractible loops, finds its vertex of smallest id. Fails on
+/// Finds the vertex of smallest id of each component with non-contractible loops. Fails on
 /// non-manifold edges.
 Status FindBasesOfLoops(const SurfaceComponents& components, std::vector<Id>& bases);
 
-/// Finds the shortest loops of edges through the vertex `base` that generate all others on its
-/// component: two for each handle, one for each boundary loop but the last, one for each cross-cap;
-/// shortest first (greedy homotopy basis: Erickson and Whittlesey, "Greedy optimal homotopy and
+/// Finds the shortest loops of edges through the vertex `base` that generate all other loops on its
+/// component, shortest first: two for each handle, one for each boundary loop but the last, one for
+/// each cross-cap (greedy homotopy basis: Erickson and Whittlesey, "Greedy optimal homotopy and
 /// homology generators", 2005, sec. 3). Fails on a component with non-manifold edges.
 Status FindHomotopyBasis(
   const SurfaceComponents& components, Id base, std::vector<EdgeLoop>& loops);

@@ -15,8 +15,8 @@ constexpr double WidestKink = 0.3;
 /// Maximum kink of candidates that are tried first, radians.
 constexpr double NarrowKink = 0.3;
 
-/// Returns the kink of a path at a vertex, from `in` to `out`: how much more it turns than a
-/// straight path.
+/// Returns the kink of a path at a vertex, from `in` to `out`: the excess of its turning angle over
+/// that of a straight path, radians.
 double KinkAt(const SurfaceMesh& mesh, Id v, double in, double out)
 {
   const double total = mesh.TotalAngle(v);
@@ -33,15 +33,15 @@ double KinkAt(const SurfaceMesh& mesh, Id v, double in, double out)
 }
 
 /// Returns the maximum kink between two edges, each of which may deviate by the angle that the
-/// accuracy permits.
+/// accuracy permits, radians.
 double WidestKinkOf(const GraphView& graph)
 {
   const double accuracy = graph.Info.Accuracy;
   return accuracy > 0.0 ? 2.0 * std::acos(1.0 / (1.0 + accuracy)) : WidestKink;
 }
 
-/// Returns the angles, as seen from the source, within which a loop passes beside the vertices, at
-/// most at the distance of their longest edges.
+/// Returns, per vertex, the angle as seen from the source within which a loop passes beside the
+/// vertex, at most at the distance of the longest edge of the vertex.
 std::vector<double> AnglesBeside(const SurfaceMesh& mesh, const SearchResult& result)
 {
   std::vector<double> lengths(result.Distances.size(), 0.0);
@@ -66,7 +66,7 @@ LoopCandidates FindLoopCandidates(const SurfaceMesh& mesh, const GraphView& grap
   const double widest = WidestKinkOf(graph);
   const double narrow = std::min(widest, NarrowKink);
   const std::vector<double> beside = AnglesBeside(mesh, result);
-  // Direction back to the source; negative at the source itself.
+  // Returns the direction back to the source; negative at the source itself.
   const auto arrival = [&](Id v) {
     const Offset edge = result.Edges[v];
     return edge >= 0 ? static_cast<double>(graph.ArrivalAngles[edge])

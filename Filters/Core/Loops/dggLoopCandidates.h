@@ -27,8 +27,8 @@ struct LoopCandidates
     Wide; ///< with larger kinks, which a loop close to their vertices may have
 };
 
-/// Finds the loops that pass nearly straight through both ends of an edge. Most others contract to
-/// the source. `result` is that of a search from one source with the given seeds.
+/// Returns the loops that pass nearly straight through both ends of an edge. Most other loops
+/// contract to the source. `result` is that of a search from one source with the given seeds.
 LoopCandidates FindLoopCandidates(const SurfaceMesh& mesh, const GraphView& graph,
   const std::vector<GraphSeed>& seeds, const SearchResult& result);
 }

@@ -14,8 +14,8 @@ namespace dgg
 {
 namespace
 {
-/// Maximum number of candidates that are straightened until one does not contract; most of those
-/// that contract to a point are excluded before.
+/// Maximum number of candidates that are straightened until a candidate does not contract. Most
+/// candidates that contract to a point are excluded before.
 constexpr std::size_t MostTrials = 256;
 /// Accuracy of links into a graph without an accuracy.
 constexpr double DefaultAccuracy = 0.01;
@@ -25,18 +25,18 @@ double ChooseLinkAccuracy(double wanted, const GraphView& graph)
   return accuracy > 0.0 ? accuracy : DefaultAccuracy;
 }
 
-/// Once there is a loop, further candidates that may become shorter are tried, until this many do
-/// not contract.
+/// Maximum number of further candidates that do not contract. Once a loop is found, further
+/// candidates that may become shorter are tried up to this number.
 constexpr std::size_t MostRivals = 24;
-/// Maximum number of unfolded crossings for all candidates, per face; only exceeded on prisms of
-/// hundreds of strips, where all candidates are rerouted around the caps strip by strip, and
-/// contract.
+/// Maximum number of unfolded crossings for all candidates, per face. The number is only exceeded
+/// on prisms of hundreds of strips, where all candidates are rerouted around the caps strip by
+/// strip, and contract.
 constexpr std::size_t MostWorkOfFace = 600;
 constexpr std::size_t SmallestMesh = 3000; // minimum number of faces for the limit
 
-/// Releases a loop at its required points and shortens it. A loop that is straight there is a
-/// geodesic already. Within the kink tolerance it may become slightly shorter, but does not slip
-/// off.
+/// Releases a loop at its required points and shortens it. A loop that is straight at these points
+/// is already a geodesic. Within the kink tolerance the loop may become slightly shorter, but does
+/// not slip off.
 void Relax(const SurfaceMesh& mesh, FoundLoop& loop)
 {
   if (loop.Angle >= Pi - LoopShortener::AngleTolerance)
@@ -117,7 +117,7 @@ Status LoopFinder::Implementation::TraceBranch(
   PathTracer& tracer, const Tree& tree, Id vertex, bool isOutwards) const
 {
   const GraphView& graph = this->Search.GetGraph();
-  // From the vertex to the point; the tail of each edge is nearer to the point.
+  // The path is traced from the vertex to the point; the tail of each edge is nearer to the point.
   std::vector<GraphEdge> edges;
   Id v = vertex;
   for (; tree.Result.Edges[v] >= 0; v = tree.Result.Tails[v])
@@ -168,7 +168,7 @@ Status LoopFinder::Implementation::ThroughPoint(
   return this->TryCandidates(tree, candidates, taut, progress, loop);
 }
 
-/// Straightens candidates. Those with large kinks contract to the point more often.
+/// Straightens candidates. Candidates with large kinks contract to the point more often.
 Status LoopFinder::Implementation::TryCandidates(const Tree& tree, LoopCandidates& candidates,
   bool taut, const ProgressCallback& progress, FoundLoop& loop) const
 {

@@ -19,28 +19,28 @@ namespace dgg
 class DGG_CORE_EXPORT LoopFinder
 {
 public:
-  /// The arguments are those of PathFinder. `linkAccuracy` is the accuracy of the links of points
-  /// that are not vertices; 0 means that of the graph, or 0.01 if it has none (a
-  /// SaddleVertexGraph).
+  /// Prepares the finder. The other arguments are those of PathFinder. `linkAccuracy` is the
+  /// accuracy of the links of points that are not vertices; 0 means the accuracy of the graph, or
+  /// 0.01 if the graph has none (a SaddleVertexGraph).
   LoopFinder(const SurfaceMesh& mesh, const GraphSearch& search, const GraphBuilder* builder,
     const double* positions, double linkAccuracy = 0.0);
   ~LoopFinder();
   LoopFinder(const LoopFinder&) = delete;
   LoopFinder& operator=(const LoopFinder&) = delete;
 
-  /// Finds a shortest geodesic from a point back to itself: graph paths that leave the point in two
+  /// Finds a shortest geodesic from a point back to itself. Graph paths that leave the point in two
   /// directions and meet without a large kink are straightened, shortest first, at most 256 of
-  /// them. The loop has a kink at the point unless `taut`: then it is released there and shortened
-  /// to a nearby closed geodesic. Empty if there is none, as on most surfaces without a handle or a
-  /// limb.
+  /// them. The loop has a kink at the point unless `taut`: then the loop is released at the point
+  /// and shortened to a nearby closed geodesic. The result is empty if no such loop exists, as on
+  /// most surfaces without a handle or a limb.
   Status ThroughPoint(const SurfacePoint& point, bool taut, FoundLoop& loop,
     const ProgressCallback& progress = {}) const;
 
-  /// Finds a closed curve through points in cyclic order, with the last point joined to the first:
-  /// shortest paths between them or, if `taut`, the closed geodesic that results when the curve is
-  /// released at the points and shortened. Empty if the points are not connected or the curve
-  /// contracts to a point; `isConnected` distinguishes these cases. Also empty if stopped before
-  /// the first path is found.
+  /// Finds a closed curve through points in cyclic order, with the last point joined to the first.
+  /// The curve consists of shortest paths between the points or, if `taut`, is the closed geodesic
+  /// that results when this curve is released at the points and shortened. The result is empty if
+  /// the points are not connected or the curve contracts to a point; `isConnected` distinguishes
+  /// these cases. The result is also empty if stopped before the first path is found.
   Status Rope(const std::vector<SurfacePoint>& points, bool taut, FoundLoop& loop,
     bool& isConnected, const ProgressCallback& progress = {}) const;
 

@@ -14,7 +14,7 @@ namespace dgg
 {
 namespace
 {
-/// Tolerance of positions on the cut edge that count as its ends.
+/// Tolerance within which positions on the cut edge count as its ends.
 constexpr double EndTolerance = 1e-12;
 /// Maximum number of bisections of the edge.
 constexpr int MaximumHalvings = 60;
@@ -28,7 +28,7 @@ Point2 Between(const Point2* ends, double t)
   return { ends[0].X + t * (ends[1].X - ends[0].X), ends[0].Y + t * (ends[1].Y - ends[0].Y) };
 }
 
-/// Cosine of the angle between a segment and an edge, times the length of the edge.
+/// Returns the cosine of the angle between a segment and an edge, times the length of the edge.
 double Along(const Point2& from, const Point2& to, const Point2* edge)
 {
   const Point2 ray = Difference(to, from);
@@ -46,8 +46,8 @@ TurnEnd DirectionAt(const SurfaceMesh& mesh, Id vertex, const SurfacePoint& othe
   return { face, g, std::atan2(p.Y, p.X) };
 }
 
-/// Returns the ring of faces of a closed path. Returns false if the path passes through a vertex in
-/// which faces only touch, where it cannot be moved.
+/// Computes the ring of faces of a closed path. Returns false if the path passes through a vertex
+/// in which faces only touch, because the path cannot be moved at such a vertex.
 bool MakeRing(const SurfaceMesh& mesh, const SurfacePath& path, std::vector<EdgeCrossing>& ring)
 {
   StripChain chain(mesh);
@@ -96,7 +96,7 @@ bool LoopShortener::Shorten(std::vector<EdgeCrossing> ring, SurfacePath& loop)
   return !loop.IsEmpty();
 }
 
-/// Shortens the path. Returns false if it contracts to a point; then `spare` is the first
+/// Shortens the path. Returns false if the path contracts to a point; then `spare` is the first
 /// intermediate path that was nearly straight, if any.
 bool LoopShortener::Tighten(std::vector<EdgeCrossing>& ring, SurfacePath& loop, SurfacePath& spare)
 {
@@ -175,8 +175,8 @@ double LoopShortener::AngleAt(const SurfaceMesh& mesh, const SurfacePath& loop, 
       FindTurn(mesh, start.Vertex, DirectionAt(mesh, start.Vertex, previous, in),
         DirectionAt(mesh, start.Vertex, next, out), turn));
   }
-  // Directions in the plane of the faces around the point, by the angles with the edge that
-  // contains it.
+  // Returns a direction in the plane of the faces around the point, as the angle with the edge that
+  // contains the point.
   const auto direction = [&](const SurfacePoint& other, Id face, Id h) {
     std::array<double, 3> p{};
     std::array<double, 3> q{};
@@ -203,7 +203,7 @@ double LoopShortener::AngleAt(const SurfaceMesh& mesh, const SurfacePath& loop, 
   return std::min(angle, 2.0 * Pi - angle);
 }
 
-/// Removes edges crossed forth and back where the ring closes.
+/// Removes edges crossed forth and back at the position where the ring closes.
 void LoopShortener::CloseUp(std::vector<EdgeCrossing>& ring)
 {
   while (ring.size() > 1 && ring.back().Entry == ring.front().Exit)
@@ -260,8 +260,8 @@ double LoopShortener::SlopeAt(double t)
     Along(this->Plane.Start, second, this->TheCut.Starts);
 }
 
-/// Minimizes the length over t. The length is convex in t: an unrolled ring of faces is flat, and
-/// in flat strips the distance between two points that move along lines is convex.
+/// Minimizes the length over t. The length is convex in t, because an unrolled ring of faces is
+/// flat, and in flat strips the distance between two points that move along lines is convex.
 double LoopShortener::Minimize()
 {
   double low = 0.0;
@@ -281,10 +281,10 @@ double LoopShortener::Minimize()
   return t;
 }
 
-/// Finds where a straight closed path within the ring crosses the edge. In that case the two copies
-/// of the edge are parallel, and so are all such paths; the middle one keeps away from vertices,
-/// into which rounding errors might push others. Returns the angle between the copies, which is the
-/// kink of the path; Infinity if no path counts as straight.
+/// Finds the position t at which a straight closed path within the ring crosses the edge. If such a
+/// path exists, the two copies of the edge are parallel, and so are all such paths; the middle path
+/// keeps away from vertices, into which rounding errors might push other paths. Returns the angle
+/// between the copies, which is the kink of the path; Infinity if no path counts as straight.
 double LoopShortener::FindStraight(double& t)
 {
   const Cut& cut = this->TheCut;
@@ -314,8 +314,8 @@ double LoopShortener::FindStraight(double& t)
   return this->Bends.empty() ? kink : Infinity;
 }
 
-/// Returns a vertex around which the path bends, and a crossing of an edge there; NoId if there is
-/// none.
+/// Returns a vertex around which the path bends, and the index of a crossing of an edge at this
+/// vertex; NoId if the path has no bend.
 Id LoopShortener::FindBend(
   const std::vector<EdgeCrossing>& ring, double t, std::size_t& place) const
 {

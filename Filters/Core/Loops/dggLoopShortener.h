@@ -14,18 +14,19 @@
 
 namespace dgg
 {
-/// Shortens a closed path, which may move everywhere, to a closed geodesic by iteration: the
-/// shortest closed path in its ring of faces is computed; unless straight, it bends around
-/// vertices. The ring is cut open at one of them, shortened with both ends there, and rerouted
-/// around the other side of that vertex if that is shorter. If straight closed paths are parallel,
-/// as around a cylinder, all have equal length, and the iteration ends at the one in the middle of
-/// its ring. If they are parallel only up to FoundLoop::KinkTolerance, as with rounded coordinates,
-/// the iteration ends there if the path would otherwise contract to a point.
+/// Shortens a closed path, which may move everywhere, to a closed geodesic by iteration. Each step
+/// computes the shortest closed path in the ring of faces; unless straight, this path bends around
+/// vertices. The ring is cut open at one of these vertices, shortened with both ends at the vertex,
+/// and rerouted around the other side of the vertex if that route is shorter. If straight closed
+/// paths are parallel, as around a cylinder, all have equal length, and the iteration ends at the
+/// path in the middle of its ring. If they are parallel only up to FoundLoop::KinkTolerance, as
+/// with rounded coordinates, the iteration ends at this path if the path would otherwise contract
+/// to a point.
 class LoopShortener
 {
 public:
-  /// Tolerance by which the angle of a closed path at a vertex may be smaller than pi: the possible
-  /// gain is of second order.
+  /// Tolerance, radians, by which the angle of a closed path at a vertex may be smaller than pi.
+  /// The possible gain is of second order.
   static constexpr double AngleTolerance = 1e-9;
 
   explicit LoopShortener(const SurfaceMesh& mesh)
@@ -34,12 +35,13 @@ public:
   {
   }
 
-  /// `ring` contains the crossings of the closed path, in order; the last one leads into the face
-  /// that the first one leaves. Returns false if the path contracts to a point.
+  /// Shortens a closed path. `ring` contains the crossings of the path, in order; the last crossing
+  /// leads into the face that the first one leaves. Returns false if the path contracts to a point.
   bool Shorten(std::vector<EdgeCrossing> ring, SurfacePath& loop);
 
-  /// Like Shorten(), for a path whose last point equals its first. Also returns false if the path
-  /// passes through a vertex in which faces only touch, where it cannot be moved.
+  /// Shortens a path whose last point equals its first, like Shorten(). Also returns false if the
+  /// path passes through a vertex in which faces only touch, because the path cannot be moved at
+  /// such a vertex.
   bool PullTight(const SurfacePath& path, SurfacePath& loop);
 
   /// Returns the smaller of the two angles of a closed path at the start of a segment, at most pi;

@@ -17,24 +17,24 @@ namespace dgg
 {
 namespace
 {
-/// Spacing of points on the path, as a fraction of half the width: the error of their distance is
+/// Spacing of points on the path, as a fraction of half the width. The error of their distance is
 /// at most an eighth of the square of the spacing.
 constexpr double Spacing = 9e-3;
 /// Maximum number of points on a path.
 constexpr double MostSources = 1e5;
 /// Maximum length of edges that an offset curve may cross, as a fraction of half the width.
 constexpr double LongestEdge = 0.5;
-/// Maximum distance of an offset curve from the exact curve, as the same fraction: a hundred times
-/// the error due to sampling of the path.
+/// Maximum distance of an offset curve from the exact curve, as a fraction of half the width: a
+/// hundred times the error due to sampling of the path.
 constexpr double ChordTolerance = 1e-3;
-/// Closed curves shorter than this, as a fraction of half the width, are discarded.
+/// Length, as a fraction of half the width, below which closed curves are discarded.
 constexpr double ShortestRim = 0.5;
-/// Coarser spacing of the path while edges are split: as fractions of the edges and of half the
-/// width.
+/// Coarser spacings of the path while edges are split, as a fraction of the edges and as a fraction
+/// of half the width.
 constexpr double CoarseSpacing = 0.25;
 constexpr double CoarsestSpacing = 0.1;
-/// Maximum number of steps, each of which halves the longest edges; more would only be needed for
-/// lengths that are practically zero.
+/// Maximum number of steps, each of which halves the longest edges. More steps would only be needed
+/// for lengths that are practically zero.
 constexpr int MostSteps = 100;
 
 /// Returns points along a chain of vertices, at most `spacing` apart.
@@ -82,9 +82,9 @@ SurfacePath ToMesh(const SurfaceMesh& mesh, const SubMesh& refined, const Surfac
   return path;
 }
 
-/// A surface that is split along a path, and the isolines of the distance from it. Faces are
-/// refined until those that isolines may cross are small: many points on the path in the same large
-/// faces would cost far more.
+/// A surface that is split along a path, and the isolines of the distance from the path. Faces are
+/// refined until faces that isolines may cross are small. Without refinement, many points on the
+/// path in the same large faces would cost far more.
 class OffsetCurveMaker
 {
 public:
@@ -116,7 +116,7 @@ public:
   }
 
 private:
-  /// Halves the longest edges.
+  /// Halves the longest edges. `isDone` becomes true if all edges are short enough.
   Status Step(bool& isDone)
   {
     DGG_RETURN_IF_ERROR(this->Refined.Build(this->Mesh, this->Part));
@@ -143,7 +143,8 @@ private:
 
   bool Report() const { return !this->Progress || this->Progress(this->Done); }
 
-  /// Computes distances from points of the path, up to where isolines may be, plus one edge.
+  /// Computes distances from points of the path, up to the distance that isolines may reach, plus
+  /// one edge.
   Status Measure(double spacing, double longest, ExactOptions& options, ExactResult& result) const
   {
     options.MaximumDistance = this->Distance + longest;
@@ -151,7 +152,8 @@ private:
       .Run(SampleChain(this->Part, this->Refined.Paths.front(), spacing), options, result);
   }
 
-  /// Marks edges on which the distance may be attained, given the distances of their ends.
+  /// Marks edges on which the distance may be attained, given the distances of their ends. Returns
+  /// true if an edge is marked.
   bool MarkLongEdges(
     const std::vector<double>& distances, double spacing, std::vector<char>& isSplit)
   {

@@ -13,13 +13,14 @@
 namespace dgg
 {
 /// Computes the boundary curves of a band of the given width around a path or a loop: the curves at
-/// a distance of half the width. A loop has one on each side, where there is room; a path has one
-/// around it, and more if it crosses itself. Offset curves end at the boundary of the surface.
+/// a distance of half the width. A loop has one curve on each side, if the side is wide enough; a
+/// path has one curve around it, and more if it crosses itself. Offset curves end at the boundary
+/// of the surface.
 ///
-/// The curves are isolines (dggIsolines.h) of the exact distance from points on the path, which are
-/// so dense that the distance is accurate to 1e-5. Points of a curve have the same accuracy;
-/// segments between them are straight within one face, and deviate by at most a thousandth of the
-/// distance. Closed curves shorter than a quarter of the width are discarded.
+/// The curves are isolines (dggIsolines.h) of the exact distance from points on the path. These
+/// points are so dense that the distance is accurate to 1e-5. Points of a curve have the same
+/// accuracy; segments between them are straight within one face, and deviate by at most a
+/// thousandth of the distance. Closed curves shorter than a quarter of the width are discarded.
 ///
 /// Fails if the path is not on the mesh, or the width is not finite or below
 /// GetSmallestOffsetWidth().

@@ -11,7 +11,7 @@ namespace dgg
 {
 namespace
 {
-/// Largest deviation of a sum of coordinates from 1, and of a coordinate below 0.
+/// Largest deviation of a sum of coordinates from 1, and largest amount of a coordinate below 0.
 constexpr double CoordinateTolerance = 1e-6;
 
 using Vector = std::array<double, 3>;

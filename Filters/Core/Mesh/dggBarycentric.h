@@ -35,18 +35,20 @@ inline std::array<double, 3> Cross(const std::array<double, 3>& a, const std::ar
 DGG_CORE_EXPORT bool AreBarycentric(const std::array<double, 3>& coordinates);
 
 /// Returns the barycentric coordinates of the point of a triangle in space that is closest to
-/// `position`. For a degenerate triangle only the edges are considered; on a tie the point is on an
+/// `position`. For a degenerate triangle only the edges are considered. On a tie the point is on an
 /// edge.
 DGG_CORE_EXPORT std::array<double, 3> FindClosestInTriangle(
   const TriangleCorners& corners, const std::array<double, 3>& position, double& squaredDistance);
 
-/// Converts barycentric coordinates in a triangle to those in a smaller triangle in its plane,
-/// whose corners have the coordinates `corners` in the larger one. They are negative for a point
-/// outside the smaller triangle. Returns false for corners on a line.
+/// Converts barycentric coordinates in a triangle to coordinates in a smaller triangle in its
+/// plane. The corners of the smaller triangle have the coordinates `corners` in the larger one.
+/// Converted coordinates are negative for a point outside the smaller triangle. Returns false if
+/// the corners lie on a line.
 DGG_CORE_EXPORT bool ConvertToPart(const TriangleCorners& corners,
   const std::array<double, 3>& coordinates, std::array<double, 3>& inPart);
 
-/// Converts barycentric coordinates in the smaller triangle to those in the larger one.
+/// Returns barycentric coordinates in the larger triangle, converted from coordinates in the
+/// smaller one.
 DGG_CORE_EXPORT std::array<double, 3> ConvertFromPart(
   const TriangleCorners& corners, const std::array<double, 3>& inPart);
 }

@@ -44,7 +44,7 @@ Id FindEdge(const Surface& surface, Id h)
 }
 
 /// Calls `visit(e, isMirrored)` for the half-edges through which the faces behind half-edge `exit`
-/// are entered. All faces are laid out in one plane: a face is mirrored if its orientation differs
+/// are entered. All faces are laid out in one plane. A face is mirrored if its orientation differs
 /// from that of the plane, in which the face of `exit` itself may be mirrored.
 template <typename Visitor>
 void ForEachFaceBehind(const SurfaceMesh& mesh, Id exit, bool isExitMirrored, Visitor&& visit)
@@ -59,7 +59,8 @@ inline Point2 PlaceInEntered(const SurfaceMesh& mesh, Id h, bool isMirrored, con
   return { isMirrored ? mesh.Length(h) - place.X : place.X, place.Y };
 }
 
-/// A face laid out above half-edge h, through which it is entered, or its mirror image.
+/// A face laid out above half-edge h, through which the face is entered, or the mirror image of the
+/// face.
 struct EnteredFace
 {
   EnteredFace(const SurfaceMesh& mesh, Id h, bool isMirrored = false)
@@ -91,10 +92,11 @@ inline std::array<Point2, 3> CornersInFrame(const SurfaceMesh& mesh, Id h)
   return { { { 0.0, 0.0 }, { mesh.Length(h), 0.0 }, ApexOf(mesh, h) } };
 }
 
-/// Returns the polar angle at the apex of the face of h of a direction given in the frame of h.
+/// Returns the polar angle, at the apex of the face of h, of a direction given in the frame of h,
+/// radians.
 inline double PolarAngleAtApex(const SurfaceMesh& mesh, Id h, const Point2& direction)
 {
-  // The reference of the corner is the edge from the apex to the origin of h.
+  // The reference direction of the corner is the edge from the apex to the origin of h.
   const Point2 reference{ -mesh.ApexX(h), -mesh.ApexY(h) };
   return mesh.PolarAngle(SurfaceMesh::Previous(h)) +
     std::atan2(Cross(reference, direction), Dot(reference, direction));

@@ -20,14 +20,14 @@ struct GeodesicSource
   double InitialDistance = 0.0;
 };
 
-/// Fails if there is no source, or a source does not exist on the mesh or has an initial distance
-/// that is not finite. The message names the source.
+/// Fails if there is no source, or if a source does not exist on the mesh or has an initial
+/// distance that is not finite. The message names the source.
 DGG_CORE_EXPORT Status CheckSources(
   const SurfaceMesh& mesh, const std::vector<GeodesicSource>& sources);
 
-/// Calls `visit(vertex, weight, distance)` for the vertices around a point: the vertex itself for a
-/// point at a vertex, otherwise the corners of its face or of all faces of its edge. The weights
-/// are the barycentric coordinates in the first of these faces (0 for other corners).
+/// Calls `visit(vertex, weight, distance)` for the vertices around a point. These are the vertex
+/// itself for a point at a vertex, otherwise the corners of its face or of all faces of its edge.
+/// The weights are the barycentric coordinates in the first of these faces (0 for other corners).
 template <typename Visitor>
 void ForEachCornerAround(const SurfaceMesh& mesh, const SurfacePoint& point, Visitor&& visit)
 {

@@ -28,8 +28,8 @@ struct MeshReport
   Offset InconsistentEdges = 0;   ///< manifold edges that cannot be oriented consistently
   Offset ReorientedFaces = 0;     ///< faces flipped to make the orientation consistent
   bool Orientable = true;
-  /// Total genus over all components, with the fans of non-manifold vertices separated; -1 if there
-  /// is a non-manifold edge or no orientation.
+  /// Total genus over all components, with the fans of non-manifold vertices separated; -1 if a
+  /// non-manifold edge exists or the mesh has no orientation.
   Offset Genus = 0;
   double MeanAnisotropy = 0.0; ///< see Anisotropy
   double MedianAnisotropy = 0.0;
@@ -37,7 +37,7 @@ struct MeshReport
 };
 
 /// Elongation of triangles: l_max (l1+l2+l3) / (4 sqrt(3) area) over the non-degenerate faces; 1
-/// for equilateral triangles, 0 if there is no such face.
+/// for equilateral triangles, 0 if all faces are degenerate.
 struct Anisotropy
 {
   double Mean = 0.0; ///< weighted by area, so that slivers hardly count
@@ -50,8 +50,8 @@ DGG_CORE_EXPORT Anisotropy MeasureAnisotropy(const SurfaceMesh& mesh);
 /// with a non-finite coordinate are not counted.
 DGG_CORE_EXPORT Offset CountCoincidentPoints(const double* points, Offset numberOfPoints);
 
-/// Inspects a mesh. `points` (x y z per vertex) may be null; then coincident points are not
-/// counted.
+/// Returns the properties of a mesh. `points` (x y z per vertex) may be null; coincident points are
+/// then not counted.
 DGG_CORE_EXPORT MeshReport InspectMesh(const SurfaceMesh& mesh, const double* points = nullptr);
 }
 

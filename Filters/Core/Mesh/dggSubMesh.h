@@ -16,13 +16,13 @@
 
 namespace dgg
 {
-/// A submesh: each of its faces is a face of a parent mesh or a piece of one. Examples are some
+/// A submesh. Each of its faces is a face of a parent mesh or a piece of one. Examples are some
 /// faces of the parent, the parent with split faces, and the parent cut open. Dropped faces of the
 /// parent are omitted.
 struct DGG_CORE_EXPORT SubMesh
 {
-  /// The vertices, as points of the parent. Where faces were split, vertices of the parent keep
-  /// their ids and new vertices follow.
+  /// Vertices, as points of the parent. If faces were split, vertices of the parent keep their ids,
+  /// and new vertices follow.
   std::vector<SurfacePoint> Points;
   std::vector<Id> Triangles;   ///< 3 vertices per face, oriented as in the parent
   std::vector<double> Lengths; ///< per half-edge 3f+k, from corner k to corner k+1 of face f
@@ -31,11 +31,11 @@ struct DGG_CORE_EXPORT SubMesh
   /// Per path, its vertices; consecutive vertices are neighbors. Empty after a cut.
   std::vector<std::vector<Id>> Paths;
   /// Per path, the parameters of its vertices: the index of the path segment plus the fraction
-  /// within the segment. Vertex i + 1 is in the same segment as vertex i, or at its end. If both
-  /// ends of short segments became one vertex, it has the parameter of the first. Empty after a
-  /// cut.
+  /// within the segment. Vertex i + 1 is in the same segment as vertex i, or at the end of this
+  /// segment. If both ends of short segments became one vertex, the vertex has the parameter of the
+  /// first end. Empty after a cut.
   std::vector<std::vector<double>> Places;
-  /// Per vertex of a surface that was cut open, the vertex that it is a copy of; empty otherwise.
+  /// Per vertex of a surface that was cut open, the id of the original vertex; empty otherwise.
   std::vector<Id> VertexOf;
 
   Id GetNumberOfVertices() const { return static_cast<Id>(this->Points.size()); }
@@ -64,8 +64,8 @@ struct DGG_CORE_EXPORT SubMesh
     const SurfaceMesh& parent, const SurfaceMesh& mesh, const SurfacePath& path) const;
 };
 
-/// Selects faces of a mesh as submeshes. Its buffers have the size of the mesh and are reused: a
-/// submesh costs what its faces cost.
+/// Selects faces of a mesh as submeshes. Buffers have the size of the mesh and are reused, so that
+/// the cost of a submesh depends only on its faces.
 class DGG_CORE_EXPORT FaceSelector
 {
 public:
@@ -76,18 +76,18 @@ public:
   /// Adds a vertex of a selected face and returns its id in the submesh. Take() adds the other
   /// vertices, in the order in which the faces contain them.
   Id AddVertex(Id vertex);
-  /// Returns the id of a vertex in the submesh, NoId if the vertex was not added.
+  /// Returns the id of a vertex in the submesh; NoId if the vertex was not added.
   Id GetVertexId(Id vertex) const { return this->VertexIds[vertex]; }
   /// Returns the selected faces in the order in which they were added.
   const std::vector<Id>& GetFaces() const { return this->Selected.Faces; }
-  /// Returns the submesh of the selected faces and clears the selection. At an edge where some
-  /// faces of the parent are missing, the others are glued to each other.
+  /// Returns the submesh of the selected faces and clears the selection. At an edge some of whose
+  /// faces are not selected, the selected faces are glued to each other.
   SubMesh Take();
   void Clear();
   /// Returns the submesh of the given faces, in their order.
   SubMesh Select(const std::vector<Id>& faces);
 
-  /// Size of the reused buffers in bytes, excluding submeshes.
+  /// Returns the size of the reused buffers in bytes, excluding submeshes.
   std::size_t GetMemorySize() const
   {
     return (this->VertexIds.size() + this->FaceIds.size()) * sizeof(Id);
@@ -102,7 +102,7 @@ private:
   std::vector<Id> FaceIds;   // per face, its id in the submesh or NoId
 };
 
-/// Returns the faces of each component of a mesh that has faces, without dropped ones.
+/// Returns the faces of each component of a mesh that has faces, without dropped faces.
 std::vector<std::vector<Id>> FindComponentFaces(const SurfaceMesh& mesh);
 }
 

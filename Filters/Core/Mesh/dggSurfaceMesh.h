@@ -14,7 +14,7 @@
 
 namespace dgg
 {
-/// How geodesics behave at a vertex.
+/// Behavior of geodesics at a vertex.
 enum class VertexKind : std::uint8_t
 {
   Isolated, ///< no face that is not dropped
@@ -28,26 +28,27 @@ enum class VertexKind : std::uint8_t
 
 class SurfaceMesh;
 
-/// Parent of a mesh that is built from lengths: each face of the mesh is a face of the parent or
+/// Parent of a mesh that is built from lengths. Each face of the mesh is a face of the parent or
 /// lies in one. Faces that are degenerate in the parent are degenerate in the submesh; their edges
 /// have been lengthened already, and the mean edge length of the parent is used. Hence a submesh of
-/// entire faces has the same lengths as its parent, and windows cross it as they cross the parent.
+/// entire faces has the same lengths as its parent, and windows cross the submesh in the same
+/// manner as the parent.
 struct PartOfMesh
 {
   const SurfaceMesh* Whole = nullptr; ///< parent mesh; null if there is none
   const Id* Faces = nullptr;          ///< per triangle, the face of the parent that contains it
 };
 
-/// An intrinsic triangle mesh, the part of a surface that determines geodesics. Everything is
-/// derived from the triangles and one length per edge; coordinates are not stored.
+/// An intrinsic triangle mesh: the properties of a surface that determine geodesics. All properties
+/// are derived from the triangles and one length per edge; coordinates are not stored.
 ///
 /// Conventions. Half-edge `3f+k` starts at corner `k` of face `f`. Faces keep the ids of the input.
-/// A face with a repeated vertex is *dropped* (it has no area and fewer than three edges): it keeps
-/// its id but is ignored. So is a *duplicate*, a face on the three vertices of an earlier one: it
-/// is congruent to that one and glued to it along all edges, so that it shortens no path. Faces are
-/// re-oriented component by component where that makes them consistent (distances do not depend on
-/// orientation); a re-oriented face has its corners 1 and 2 swapped, so always read corners from
-/// GetTriangle() or Origin().
+/// A face with a repeated vertex is *dropped* (it has no area and fewer than three edges): the face
+/// keeps its id but is ignored. A *duplicate*, a face on the three vertices of an earlier face, is
+/// also dropped: the duplicate is congruent to the earlier face and glued to it along all edges, so
+/// that it shortens no path. Faces are re-oriented component by component if re-orientation makes
+/// them consistent (distances do not depend on orientation). A re-oriented face has its corners 1
+/// and 2 swapped, so always read corners from GetTriangle() or Origin().
 ///
 /// Any triangle complex is accepted. The half-edges of one edge form a circular list through
 /// Twin(): one entry on the boundary (Twin is NoId), two on a manifold edge, more on a non-manifold
@@ -68,13 +69,13 @@ public:
   static Status FromPoints(const double* points, Offset numberOfPoints, const Id* triangles,
     Offset numberOfTriangles, SurfaceMesh& mesh);
 
-  /// Like FromPoints(), but faster: TotalAngle(), PolarAngle(), Kind() and IsPassThrough() must not
-  /// be called before MeasureAngles().
+  /// Builds a mesh like FromPoints(), but faster. TotalAngle(), PolarAngle(), Kind() and
+  /// IsPassThrough() must not be called before MeasureAngles().
   static Status FromPointsWithoutAngles(const double* points, Offset numberOfPoints,
     const Id* triangles, Offset numberOfTriangles, SurfaceMesh& mesh);
 
   /// Computes the angles of a mesh built without angles. Other threads may read all other
-  /// properties meanwhile.
+  /// properties during the call.
   void MeasureAngles();
 
   /// Builds a mesh from lengths: `lengths[3f+k]` is the length of the edge from corner k to corner
@@ -85,9 +86,9 @@ public:
   static Status FromLengths(Offset numberOfVertices, const Id* triangles, Offset numberOfTriangles,
     const double* lengths, SurfaceMesh& mesh, const PartOfMesh& origin = {});
 
-  /// Like FromLengths(), with explicit gluing: `twins[h]` is the other half of the edge of
-  /// half-edge `h`, or NoId. Needed if edges are not identified by their vertex pairs, as on a flat
-  /// torus of few triangles.
+  /// Builds a mesh like FromLengths(), with explicit gluing: `twins[h]` is the other half of the
+  /// edge of half-edge `h`, or NoId. Explicit gluing is needed if edges are not identified by their
+  /// vertex pairs, as on a flat torus of few triangles.
   static Status FromGluedLengths(Offset numberOfVertices, const Id* triangles,
     Offset numberOfTriangles, const double* lengths, const Id* twins, SurfaceMesh& mesh,
     const PartOfMesh& origin = {});
@@ -102,9 +103,9 @@ public:
 
   Id Origin(Id h) const { return this->Origins[h]; }
   Id Destination(Id h) const { return this->Origins[Next(h)]; }
-  /// The vertex of the half-edge's face that is not on the half-edge.
+  /// Returns the vertex of the half-edge's face that is not on the half-edge.
   Id Apex(Id h) const { return this->Origins[Previous(h)]; }
-  /// Next half-edge in the circular list of the edge; NoId on the boundary.
+  /// Returns the next half-edge in the circular list of the edge; NoId on the boundary.
   Id Twin(Id h) const { return this->Twins[h]; }
   /// Returns true if the edge has more than two faces.
   bool IsNonManifold(Id h) const
@@ -118,8 +119,8 @@ public:
   }
   /// Returns true if the face is ignored because it repeats a vertex or an earlier face.
   bool IsDropped(Id f) const { return (this->FaceFlags[f] & DroppedFlag) != 0; }
-  /// Returns true if the face was dropped because an earlier one has the same vertices. Meshes with
-  /// explicit gluing have no duplicates.
+  /// Returns true if the face was dropped because an earlier face has the same vertices. Meshes
+  /// with explicit gluing have no duplicates.
   bool IsDuplicate(Id f) const { return (this->FaceFlags[f] & DuplicateFlag) != 0; }
   /// Returns the face that a duplicate repeats; for any other face, the face itself.
   Id GetOriginal(Id f) const;
@@ -131,44 +132,47 @@ public:
   /// degenerate, so that its angles are unreliable.
   bool IsMollified(Id f) const { return (this->FaceFlags[f] & MollifiedFlag) != 0; }
 
-  /// Position of the apex in the frame of the half-edge: origin at Origin(h), x axis towards
-  /// Destination(h), y > 0.
+  /// Returns a coordinate of the apex in the frame of the half-edge: origin at Origin(h), x axis
+  /// towards Destination(h), y > 0.
   double ApexX(Id h) const { return this->ApexXs[h]; }
   double ApexY(Id h) const { return this->ApexYs[h]; }
 
   VertexKind Kind(Id v) const { return this->Kinds[v]; }
   /// Returns true if the kind is Irregular; does not need angles.
   bool IsIrregular(Id v) const { return (this->VertexFlags[v] & IrregularFlag) != 0; }
-  /// Sum of the corner angles at the vertex, radians.
+  /// Returns the sum of the corner angles at the vertex, radians.
   double TotalAngle(Id v) const { return this->TotalAngles[v]; }
   /// Returns true if a shortest path may bend at the vertex, so that the vertex must act as a
-  /// pseudo-source. False for convex boundary corners, where no shortest path bends.
+  /// pseudo-source. Returns false for convex boundary corners, at which no shortest path bends.
   bool IsPassThrough(Id v) const;
 
-  /// Outgoing half-edges of the vertex, counter-clockwise, fan after fan. On the boundary a fan
-  /// starts with its clockwise-most half-edge; in the interior with its half-edge of smallest id.
+  /// Returns the range of the outgoing half-edges of the vertex, counter-clockwise, fan after fan.
+  /// On the boundary a fan starts with its clockwise-most half-edge; in the interior with its
+  /// half-edge of smallest id.
   const Id* FanBegin(Id v) const { return this->Fans.data() + this->FanOffsets[v]; }
   const Id* FanEnd(Id v) const { return this->Fans.data() + this->FanOffsets[v + 1]; }
-  /// Polar angle of the half-edge at its origin: the sum of the corner angles before it in the fan
-  /// order.
+  /// Returns the polar angle of the half-edge at its origin, radians: the sum of the corner angles
+  /// before the half-edge in the fan order.
   double PolarAngle(Id h) const { return this->PolarAngles[h]; }
-  /// Corner angle at the origin of the half-edge, inside its face.
+  /// Returns the corner angle at the origin of the half-edge, inside its face, radians.
   double CornerAngle(Id h) const;
 
-  /// Connected components (through edges and shared vertices), numbered by smallest vertex id;
-  /// isolated vertices have a component of their own.
+  /// Returns, per vertex, the id of its connected component (through edges and shared vertices).
+  /// Components are numbered by smallest vertex id; isolated vertices have a component of their
+  /// own.
   std::vector<Id> ComputeComponents(Id& numberOfComponents) const;
 
   double GetMeanEdgeLength() const { return this->MeanEdgeLength; }
   double GetMaximumEdgeLength() const { return this->MaximumEdgeLength; }
-  /// Largest length added to the edges of degenerate faces; 0 if there are none.
+  /// Returns the largest length added to the edges of degenerate faces; 0 without degenerate faces.
   double GetMollification() const { return this->Mollification; }
-  /// Number of faces that were lengthened.
+  /// Returns the number of faces that were lengthened.
   Id GetNumberOfMollifiedFaces() const { return this->NumberOfMollifiedFaces; }
-  /// Number of degenerate faces of the input: zero area, up to rounding (without dropped faces).
+  /// Returns the number of degenerate faces of the input: zero area, up to rounding (without
+  /// dropped faces).
   Id GetNumberOfDegenerateFaces() const { return this->NumberOfDegenerateFaces; }
 
-  /// Size of the arrays in bytes.
+  /// Returns the size of the arrays in bytes.
   std::size_t GetMemorySize() const;
 
 private:

@@ -28,15 +28,15 @@ public:
   Status GlueByTwins(const Id* twins);
   Status MeasureLengths(const double* points);
   Status TakeLengths(const double* lengths);
-  /// Fails for lengths that violate the triangle inequality, rather than mollifying them.
+  /// Fails if lengths violate the triangle inequality, rather than mollifying the faces.
   Status CheckTriangleInequalities() const;
   /// Copies the properties of faces that are inherited from a parent mesh.
   void TakeOrigin(const PartOfMesh& origin);
-  /// Flips faces, component by component, where that makes the orientation consistent.
+  /// Flips faces, component by component, if flips make the orientation consistent.
   void Orient();
   /// Lengthens the edges of degenerate faces.
   void Mollify();
-  /// Computes everything that follows from connectivity and lengths, except angles.
+  /// Computes all properties that follow from connectivity and lengths, except angles.
   void Finish();
 
 private:

@@ -11,9 +11,10 @@
 
 namespace dgg
 {
-/// Returns the vertices patch by patch: each patch grows breadth-first to about the given size, the
-/// next one starts adjacent to earlier patches. A local computation around a vertex then mostly
-/// reads memory that is in the cache from the previous vertex. Isolated vertices come last.
+/// Returns the vertices patch by patch. Each patch grows breadth-first to about the given size, and
+/// the next patch starts adjacent to earlier patches. With this order, a local computation around a
+/// vertex mostly reads memory that is in the cache from the previous vertex. Isolated vertices come
+/// last.
 std::vector<Id> ComputePatchOrder(const SurfaceMesh& mesh, Id patchSize);
 }
 

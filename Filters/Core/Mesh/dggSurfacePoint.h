@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// A point anywhere on a mesh: at a vertex, on an edge or inside a face. Also a point of a cloud,
-/// or close to it.
+/// A point anywhere on a mesh: at a vertex, on an edge or inside a face. Also represents a point of
+/// a cloud, or a point close to a cloud point.
 #ifndef dggSurfacePoint_h
 #define dggSurfacePoint_h
 
@@ -15,8 +15,8 @@
 
 namespace dgg
 {
-/// A point of the surface. Its support (vertex, edge or face) is determined once, by Snap():
-/// barycentric coordinates within 1e-9 of a vertex or an edge are snapped to it, which avoids
+/// A point of the surface. The support of the point (vertex, edge or face) is determined once, by
+/// Snap(). Barycentric coordinates within 1e-9 of a vertex or an edge are snapped, which avoids
 /// needle triangles at a metric perturbation of at most 1e-9 edge lengths.
 struct DGG_CORE_EXPORT SurfacePoint
 {
@@ -37,19 +37,21 @@ struct DGG_CORE_EXPORT SurfacePoint
   std::array<double, 3> Barycentric{ { 1.0, 0.0, 0.0 } };
 
   static SurfacePoint AtVertex(Id vertex);
-  /// Point in space at an offset from a cloud point; the cloud point itself if the offset is zero.
-  /// Not used on meshes.
+  /// Returns the point in space at an offset from a cloud point; the cloud point itself if the
+  /// offset is zero. Not used on meshes.
   static SurfacePoint NearVertex(Id vertex, const std::array<double, 3>& offset);
-  /// Point at the given coordinates of a face, snapped. The coordinates refer to the corners of the
-  /// face *in the order of the input*, so that callers need not consider re-oriented faces.
+  /// Returns the point at the given coordinates of a face, snapped. The coordinates refer to the
+  /// corners of the face *in the order of the input*, so that callers need not consider re-oriented
+  /// faces.
   static SurfacePoint InFace(
     const SurfaceMesh& mesh, Id face, const std::array<double, 3>& barycentric);
-  /// Like InFace(), with coordinates that refer to the corners of SurfaceMesh::GetTriangle().
+  /// Returns the same point as InFace(), but coordinates refer to the corners of
+  /// SurfaceMesh::GetTriangle().
   static SurfacePoint InTriangle(
     const SurfaceMesh& mesh, Id face, const std::array<double, 3>& barycentric);
-  /// Point at parameter t in [0, 1] from Origin(h) to Destination(h), snapped.
+  /// Returns the point at parameter t in [0, 1] from Origin(h) to Destination(h), snapped.
   static SurfacePoint OnEdge(const SurfaceMesh& mesh, Id halfEdge, double t);
-  /// Like OnEdge(), without snapping: t must be strictly between 0 and 1.
+  /// Returns the same point as OnEdge(), without snapping. t must be strictly between 0 and 1.
   static SurfacePoint InsideEdge(Id halfEdge, double t);
 
   /// Fails if the point does not exist on the mesh.
@@ -62,20 +64,20 @@ inline bool IsVertex(const SurfacePoint& point)
   return point.On == SurfacePoint::Support::Vertex;
 }
 
-/// Returns true if two points have the same representation: a point on an edge differs from the
+/// Returns true if two points have the same representation. A point on an edge differs from the
 /// same point given in another face of the edge.
 DGG_CORE_EXPORT bool IsSamePoint(const SurfacePoint& a, const SurfacePoint& b);
 
-/// Returns the factor that scales the total angle at a point to 2 pi: 1 except at interior
-/// vertices.
+/// Returns the factor that scales the total angle at a point to 2 pi. The factor is 1 except at
+/// interior vertices.
 DGG_CORE_EXPORT double UnrollFactor(const SurfaceMesh& mesh, const SurfacePoint& point);
 
 /// Returns the position of a point, given by barycentric coordinates in the face of half-edge h, in
 /// the frame of h.
 DGG_CORE_EXPORT Point2 PlaceInFrame(
   const SurfaceMesh& mesh, Id h, const std::array<double, 3>& barycentric);
-/// Converts a direction from the frame of half-edge `from` to that of half-edge `to` of the same
-/// face.
+/// Returns a direction given in the frame of half-edge `from` in the frame of half-edge `to` of the
+/// same face.
 DGG_CORE_EXPORT Point2 DirectionInFrame(
   const SurfaceMesh& mesh, Id from, Id to, const Point2& direction);
 /// Returns the distance inside one face between a point given by barycentric coordinates and corner
@@ -105,8 +107,8 @@ inline std::array<double, 3> CoordinatesOnEdge(Id halfEdge, double t)
   return b;
 }
 
-/// Clamps barycentric coordinates that rounding has moved out of a face. In nearly degenerate faces
-/// coordinates have large errors even if the position is accurate.
+/// Returns barycentric coordinates clamped to the face, from which rounding may have moved them. In
+/// nearly degenerate faces coordinates have large errors even if the position is accurate.
 DGG_CORE_EXPORT std::array<double, 3> ClampedToFace(std::array<double, 3> barycentric);
 
 /// Calls `visit(face, barycentric)` for the face of a point, or for all faces of the edge that

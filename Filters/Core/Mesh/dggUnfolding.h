@@ -31,13 +31,13 @@ inline double Dot(const Point2& a, const Point2& b)
   return a.X * b.X + a.Y * b.Y;
 }
 
-/// Positive if b lies to the left of a.
+/// Returns the cross product, which is positive if b lies to the left of a.
 inline double Cross(const Point2& a, const Point2& b)
 {
   return a.X * b.Y - a.Y * b.X;
 }
 
-/// Vector from b to a.
+/// Returns the vector from b to a.
 inline Point2 Difference(const Point2& a, const Point2& b)
 {
   return { a.X - b.X, a.Y - b.Y };
@@ -48,13 +48,13 @@ inline double Distance(const Point2& a, const Point2& b)
   return Norm(a.X - b.X, a.Y - b.Y);
 }
 
-/// Converts a point from the frame with the given origin and x axis (unit vector).
+/// Returns a point converted from the frame with the given origin and x axis (unit vector).
 inline Point2 FromFrame(const Point2& origin, const Point2& axis, const Point2& p)
 {
   return { origin.X + p.X * axis.X - p.Y * axis.Y, origin.Y + p.X * axis.Y + p.Y * axis.X };
 }
 
-/// Converts a direction from the frame with the given x axis (unit vector).
+/// Returns a direction converted from the frame with the given x axis (unit vector).
 inline Point2 Turned(const Point2& axis, const Point2& direction)
 {
   return { direction.X * axis.X - direction.Y * axis.Y,
@@ -82,9 +82,8 @@ inline double TriangleArea(double a, double b, double c)
 }
 
 /// Returns the abscissa of a point at distances `fromOrigin` and `fromEnd` from the ends of a
-/// segment on the x axis. Which of the equivalent forms of the law of cosines is accurate depends
-/// on the shortest edge of the triangle: lengths that are close to each other must be subtracted
-/// first.
+/// segment on the x axis. The law of cosines has equivalent forms, whose accuracy depends on the
+/// shortest edge of the triangle: lengths that are close to each other must be subtracted first.
 inline double FootOnEdge(double length, double fromOrigin, double fromEnd)
 {
   if (fromOrigin <= fromEnd && fromOrigin <= length)
@@ -113,8 +112,8 @@ inline double DistanceToAxis(const Point2& image, double x)
   return Norm(x - image.X, image.Y);
 }
 
-/// Returns where the segment from the image (below the axis) to `target` (above the axis) crosses
-/// the axis.
+/// Returns the abscissa at which the segment from the image (below the axis) to `target` (above the
+/// axis) crosses the axis.
 inline double Crossing(const Point2& image, const Point2& target)
 {
   return image.X + (target.X - image.X) * (-image.Y) / (target.Y - image.Y);
@@ -122,8 +121,8 @@ inline double Crossing(const Point2& image, const Point2& target)
 
 /// A triangle laid out above the x axis, entered through the edge on the axis. Windows continue
 /// through its left edge, from the origin to the apex, or its right edge, from the apex to the end
-/// of the axis; these are the directions of the half-edges that are entered next on a consistently
-/// oriented mesh.
+/// of the axis. On a consistently oriented mesh, these are the directions of the half-edges that
+/// are entered next.
 class FaceUnfolding
 {
 public:
@@ -143,21 +142,22 @@ public:
   double GetLeft() const { return this->Left; }
   double GetRight() const { return this->Right; }
   const Point2& GetApex() const { return this->Apex; }
-  /// Direction of the left edge, from the origin to the apex: (cosine, sine).
+  /// Returns the direction of the left edge, from the origin to the apex: (cosine, sine).
   double GetLeftCosine() const { return this->LeftCosine; }
   double GetLeftSine() const { return this->LeftSine; }
-  /// Direction of the right edge, from the apex to the end of the axis: (cosine, -sine).
+  /// Returns the direction of the right edge, from the apex to the end of the axis: (cosine,
+  /// -sine).
   double GetRightCosine() const { return this->RightCosine; }
   double GetRightSine() const { return this->RightSine; }
 
-  /// The image in the frame of the left edge.
+  /// Returns the image in the frame of the left edge.
   Point2 ImageInLeft(const Point2& image) const
   {
     return { this->LeftCosine * image.X + this->LeftSine * image.Y,
       this->LeftCosine * image.Y - this->LeftSine * image.X };
   }
 
-  /// The image in the frame of the right edge.
+  /// Returns the image in the frame of the right edge.
   Point2 ImageInRight(const Point2& image) const
   {
     const double x = this->Base - image.X; // mirrored: the edge leaves the axis at its end
@@ -165,25 +165,25 @@ public:
       this->RightCosine * image.Y - this->RightSine * x };
   }
 
-  /// Returns where the ray from the image through x on the axis meets the left edge, measured from
-  /// the origin. `depth` is the distance of the image below the left edge, minus the Y of
-  /// ImageInLeft().
+  /// Returns the position, measured from the origin, at which the ray from the image through x on
+  /// the axis meets the left edge. `depth` is the distance of the image below the left edge, minus
+  /// the Y of ImageInLeft().
   double OnLeft(const Point2& image, double depth, double x) const
   {
     return Meet(x, -image.Y, depth, this->LeftSine, this->Left);
   }
 
-  /// Returns where the ray from the image through x on the axis meets the right edge, measured from
-  /// the apex.
+  /// Returns the position, measured from the apex, at which the ray from the image through x on the
+  /// axis meets the right edge.
   double OnRight(const Point2& image, double depth, double x) const
   {
     return this->Right - Meet(this->Base - x, -image.Y, depth, this->RightSine, this->Right);
   }
 
 private:
-  /// By similar triangles, the distance from the corner on the axis at which the ray through the
-  /// point at distance `x` from that corner meets the edge; clamped to the apex if the ray misses
-  /// the edge.
+  /// Returns, by similar triangles, the distance from the corner on the axis at which a ray meets
+  /// the edge. The ray passes the axis at the distance `x` from this corner. The result is clamped
+  /// to the apex if the ray misses the edge.
   static double Meet(double x, double height, double depth, double sine, double length)
   {
     const double denominator = depth - sine * x;

@@ -17,7 +17,8 @@
 namespace dgg
 {
 /// Crossing of a face that is entered through one of its edges. Positions in the plane are relative
-/// to the edge: its origin, and its direction as a unit vector u. The face lies to the left of u.
+/// to the edge: to its origin, and to its direction as a unit vector u. The face lies to the left
+/// of u.
 ///
 /// Directions are rotated by the angles of the face rather than computed from differences of
 /// unfolded points, which would lose all accuracy at an edge that is tiny relative to its distance.
@@ -43,17 +44,17 @@ struct alignas(64) FaceCrossing
 };
 
 /// The crossings of all faces in a cache-friendly order, with vertices renumbered accordingly. At
-/// edges with inconsistent orientation or more than two faces, the face behind is crossed as its
-/// mirror image: the plane is never flipped.
+/// edges with inconsistent orientation or more than two faces, the face behind the edge is crossed
+/// as its mirror image: the plane is never flipped.
 class UnfoldingTable
 {
 public:
-  /// `order` lists the vertices of the mesh in their new order. If Check() fails, no other function
-  /// may be called.
+  /// Builds the table. `order` lists the vertices of the mesh in their new order. If Check() fails,
+  /// no other function may be called.
   UnfoldingTable(const SurfaceMesh& mesh, std::vector<Id> order);
 
-  /// Fails if the mesh is too large: crossings are indexed by Id, and a mesh that needs mirror
-  /// images has two per half-edge.
+  /// Fails if the mesh is too large. Crossings are indexed by Id, and a mesh that needs mirror
+  /// images has two crossings per half-edge.
   Status Check() const { return CheckSize(this->Count); }
 
   /// Quantities that determine the size of a table.
@@ -68,12 +69,12 @@ public:
 
   const SurfaceMesh& GetMesh() const { return this->Mesh; }
   Id GetNumberOfVertices() const { return static_cast<Id>(this->Order.size()); }
-  /// Conversion from new to old ids, and vice versa.
+  /// Returns the old id of a vertex of the table, or the new id of a vertex of the mesh.
   Id OldVertex(Id v) const { return this->Order[v]; }
   Id NewVertex(Id v) const { return this->Rank[v]; }
 
   const FaceCrossing& operator[](Id entry) const { return this->Crossings[entry]; }
-  /// Prefetches a crossing, if the code is that of one.
+  /// Prefetches a crossing. Does nothing if the code is not that of a single crossing.
   void Prefetch(Id code) const
   {
     if (code >= 0)
@@ -84,8 +85,8 @@ public:
   /// Returns the crossing of the face of half-edge h, entered through h.
   Id EntryOf(Id h) const { return 3 * this->FaceRank[SurfaceMesh::Face(h)] + h % 3; }
 
-  /// Calls `visit(entry)` for everything that follows a code: nothing on the boundary, one crossing
-  /// on a manifold edge, more on a non-manifold edge.
+  /// Calls `visit(entry)` for the crossings behind a code: no crossing on the boundary, one on a
+  /// manifold edge, more on a non-manifold edge.
   template <typename Visitor>
   void ForEach(Id code, Visitor&& visit) const
   {
@@ -95,7 +96,7 @@ public:
     }
     else if (code < NoId)
     {
-      // Traverses the circular list once, starting at the own position.
+      // The loop traverses the circular list once, starting at its own position.
       const Id* const own = this->Branches.data() + (FirstBranch - code);
       for (const Id* next = own + 2;; next += 2)
       {
@@ -111,7 +112,7 @@ public:
       }
     }
   }
-  /// Returns the code behind half-edge `exit`, left from its own face.
+  /// Returns the code behind half-edge `exit`, through which its own face is left.
   Id CodeBehind(Id exit) const
   {
     return this->Crossings[this->EntryOf(SurfaceMesh::Next(exit))].Behind[FaceCrossing::Left];
@@ -130,7 +131,7 @@ public:
     return stored > 0.0F ? std::min(stored, range.Last) : 0.0F;
   }
 
-  /// Returns true if there are edges with more than two faces.
+  /// Returns true if edges with more than two faces exist.
   bool HasBranches() const { return !this->Branches.empty(); }
   /// Returns true if mirrored crossings are stored as well, because orientations are inconsistent.
   bool NeedsMirrors() const { return this->Count.NeedsMirrors; }
@@ -161,10 +162,10 @@ private:
   std::vector<FaceCrossing> Crossings;
   std::vector<double> PolarAngles; // per entry
   std::vector<AngleRange> Ranges;  // per new vertex
-  /// For every non-manifold edge, two lists of the crossings that are entered through it, with one
+  /// Per non-manifold edge, two lists of the crossings that are entered through the edge, with one
   /// entry per half-edge. The lists are mirror images of each other and interleaved. A negative
-  /// entry at the end of a list is the offset back to its begin. A code contains the position of
-  /// its own half-edge.
+  /// entry at the end of a list is the offset back to the begin of the list. A code contains the
+  /// position of its own half-edge.
   std::vector<Id> Branches;
   Id Mirrors = 0; // first mirrored crossing; 0 if there are none
 };
