@@ -15,7 +15,7 @@ namespace dgg
 /// A quadratic height field over the fitted plane of the neighbors.
 struct LocalFit
 {
-  /// Unit normal with arbitrary sign; 0 if there is no plane (too few or collinear neighbors).
+  /// Unit normal with arbitrary sign; 0 if no plane is defined (too few or collinear neighbors).
   Point3 Normal;
   /// Vector from the point to the fitted surface, along the normal of the plane.
   Point3 ToSurface;

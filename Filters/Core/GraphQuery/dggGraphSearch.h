@@ -88,7 +88,7 @@ struct GraphPath
   double Length = Infinity; ///< including the distances of the seeds at both ends
   Id FromSeed = NoId;       ///< index of the seed at the start
   Id ToSeed = NoId;         ///< index of the seed at the end
-  /// Vertices from the start seed to the end seed; empty if there is no path.
+  /// Vertices from the start seed to the end seed; empty if no path exists.
   std::vector<Id> Vertices;
   std::vector<Offset> Edges; ///< Edges[i] leads from Vertices[i] to Vertices[i + 1]
 };

@@ -51,7 +51,7 @@ TurnLimits::TurnLimits(const GraphView& graph, const SurfaceMesh& mesh)
       longest = std::max(longest, graph.Length(e));
     }
     const double perLength = 0.5 * excess / radius;
-    if (perLength * longest < 1.0) // otherwise there is no limit
+    if (perLength * longest < 1.0) // otherwise every turn is allowed
     {
       this->Vertices[v] = { static_cast<float>(perLength), static_cast<float>(longest) };
     }

@@ -45,7 +45,7 @@ std::array<double, 3> FindClosestInTriangle(
       best = weights;
     }
   };
-  for (int k = 0; k < 3; ++k) // edges first, so that a tie is on the edge
+  for (int k = 0; k < 3; ++k) // edges come first, so that a tie is on the edge
   {
     const int next = (k + 1) % 3;
     const Vector edge = corners[next] - corners[k];

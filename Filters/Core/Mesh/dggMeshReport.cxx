@@ -41,8 +41,8 @@ void CountEdges(const SurfaceMesh& mesh, MeshReport& report, Offset& edges)
   }
 }
 
-/// Fans around each vertex, as classes of outgoing half-edges joined across manifold edges,
-/// regardless of the directions of the half-edges.
+/// Fans around each vertex: classes of outgoing half-edges joined across manifold edges, regardless
+/// of the directions of the half-edges.
 class FanCounter
 {
 public:
@@ -62,8 +62,8 @@ public:
     }
   }
 
-  /// Returns the corner that represents the fan of corner h (a corner is identified by its outgoing
-  /// half-edge).
+  /// Returns the corner that represents the fan of corner h. A corner is identified by its outgoing
+  /// half-edge.
   Id Fan(Id h) { return this->Fans.Find(h); }
 
   Offset CountAt(Id v)
@@ -87,8 +87,8 @@ bool TouchesNonManifoldEdge(const SurfaceMesh& mesh, Id v)
     [&](Id h) { return mesh.IsNonManifold(h) || mesh.IsNonManifold(SurfaceMesh::Previous(h)); });
 }
 
-/// Counts boundary loops: each boundary half-edge is joined to the one at the other side of the
-/// fan.
+/// Returns the number of boundary loops. Each boundary half-edge is joined to the boundary
+/// half-edge at the other side of the fan.
 Offset CountBoundaryLoops(const SurfaceMesh& mesh, FanCounter& fans)
 {
   // Each open fan has two boundary edges at its ends, which belong to the same loop.
@@ -118,7 +118,7 @@ Offset CountBoundaryLoops(const SurfaceMesh& mesh, FanCounter& fans)
   return std::count_if(boundary.begin(), boundary.end(), [&](Id h) { return loops.Find(h) == h; });
 }
 
-/// Hashes the bits of a point; -0 equals +0.
+/// Returns a hash of the bits of a point; -0 equals +0.
 std::uint64_t HashPoint(const double* p)
 {
   std::uint64_t hash = 0;
@@ -166,7 +166,7 @@ Anisotropy MeasureAnisotropy(const SurfaceMesh& mesh)
 
 Offset CountCoincidentPoints(const double* points, Offset numberOfPoints)
 {
-  // A hash table of distinct points, at most half full.
+  // The hash table of distinct points is at most half full.
   std::size_t size = 2;
   while (size < 2 * static_cast<std::size_t>(numberOfPoints))
   {
@@ -229,7 +229,7 @@ MeshReport InspectMesh(const SurfaceMesh& mesh, const double* points)
   report.Orientable = report.InconsistentEdges == 0;
 
   // If every fan is a separate vertex, the surface is a manifold: chi = V - E + F = 2 C - 2 g - b.
-  // Its components are those of faces joined by edges.
+  // The components of this manifold consist of faces joined by edges.
   if (report.NonManifoldEdges > 0 || !report.Orientable)
   {
     report.Genus = -1;

@@ -12,11 +12,11 @@ namespace dgg
 {
 namespace
 {
-/// Total angles this close to 2 pi are flat, radians.
+/// Deviation from 2 pi, radians, below which total angles are flat.
 constexpr double FlatTolerance = 1e-9 * 2.0 * Pi;
 
-/// Completes a mesh if its lengths are valid; otherwise clears it rather than leaving it
-/// half-built.
+/// Completes a mesh if its lengths are valid. Otherwise clears the mesh rather than leaving it
+/// half-built, and returns the error.
 Status Complete(SurfaceMeshBuilder& builder, const Status& status, SurfaceMesh& mesh)
 {
   if (status.IsOk())
@@ -93,7 +93,8 @@ Status SurfaceMesh::FromGluedLengths(Offset numberOfVertices, const Id* triangle
   Status status = builder.TakeTriangles(numberOfVertices, triangles, numberOfTriangles);
   if (status.IsOk())
   {
-    // A face that contains a vertex twice is valid here, because the gluing identifies the corners.
+    // Faces that contain a vertex twice are valid with explicit gluing, because the gluing
+    // identifies the corners.
     status = builder.GlueByTwins(twins);
   }
   return status.IsOk() ? CompleteFromLengths(builder, lengths, origin, mesh)

@@ -39,7 +39,8 @@ public:
   }
 
 private:
-  /// Patches start from vertices on the border of earlier patches, oldest first.
+  /// Orders the vertices of a component. Patches start from vertices on the border of earlier
+  /// patches, oldest first.
   void OrderComponent(Id start, Id patchSize)
   {
     this->Rim.assign(1, start);

@@ -12,10 +12,10 @@ namespace dgg
 {
 namespace
 {
-/// Barycentric coordinates this close to 0 or 1 are snapped.
+/// Deviation from 0 or 1 below which barycentric coordinates are snapped.
 constexpr double SnapTolerance = 1e-9;
 
-/// Returns a snapped point, given coordinates with respect to the corners in the order of the mesh.
+/// Returns a snapped point. Coordinates refer to the corners in the order of the mesh.
 SurfacePoint Snap(const SurfaceMesh& mesh, Id face, std::array<double, 3> b)
 {
   SurfacePoint point;
@@ -156,7 +156,7 @@ bool IsSamePoint(const SurfacePoint& a, const SurfacePoint& b)
   {
     return a.On == b.On && a.Vertex == b.Vertex;
   }
-  // On and HalfEdge follow from these.
+  // On and HalfEdge follow from these members.
   return a.Vertex == b.Vertex && a.Face == b.Face && a.Barycentric == b.Barycentric;
 }
 

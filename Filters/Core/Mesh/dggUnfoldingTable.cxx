@@ -62,7 +62,7 @@ UnfoldingTable::Extent UnfoldingTable::Measure() const
       count.NeedsMirrors = true;
     }
   }
-  // At least three faces an edge.
+  // Every such edge has at least three faces.
   count.BranchEdges = count.BranchHalfEdges / 3;
   return count;
 }
@@ -148,7 +148,7 @@ void UnfoldingTable::Fill(Id h, bool mirrored, const std::vector<Id>& places)
 }
 
 /// Lists the faces around every non-manifold edge. Returns the position of each half-edge of such
-/// an edge in the first of the two lists of its edge; empty if there are none.
+/// an edge in the first of the two lists of the edge; empty if all edges are manifold.
 std::vector<Id> UnfoldingTable::ListBranches()
 {
   std::vector<Id> places;
@@ -178,9 +178,9 @@ std::vector<Id> UnfoldingTable::ListBranches()
   return places;
 }
 
-/// Returns the code of the faces behind `exit`, left from its face or, if `mirrored`, from its
-/// mirror image. A neighbor of opposite orientation is unfolded as its mirror image if this face is
-/// not.
+/// Returns the code of the faces behind `exit`. The edge is left from its face or, if `mirrored`,
+/// from the mirror image of the face. A neighbor of opposite orientation is unfolded as its mirror
+/// image if this face is not.
 Id UnfoldingTable::FindCodeBehind(Id exit, bool mirrored, const std::vector<Id>& places) const
 {
   const Id twin = this->Mesh.Twin(exit);
@@ -194,8 +194,8 @@ Id UnfoldingTable::FindCodeBehind(Id exit, bool mirrored, const std::vector<Id>&
     return this->Entry(twin, mirrored == alike);
   }
   // An unmirrored window that leaves through a descending half-edge enters ascending half-edges
-  // unmirrored and descending ones mirrored: the first list. If the window is mirrored or the
-  // half-edge ascending, the roles are swapped.
+  // unmirrored and descending half-edges mirrored: this is the first list. If the window is
+  // mirrored or the half-edge ascending, the roles are swapped.
   const bool descends = this->Mesh.Destination(exit) <= this->Mesh.Origin(exit);
   return FirstBranch - (places[exit] + (mirrored == descends ? 1 : 0));
 }

@@ -167,7 +167,7 @@ private:
   /// entry at the end of a list is the offset back to the begin of the list. A code contains the
   /// position of its own half-edge.
   std::vector<Id> Branches;
-  Id Mirrors = 0; // first mirrored crossing; 0 if there are none
+  Id Mirrors = 0; // first mirrored crossing; 0 if no crossing is mirrored
 };
 }
 
