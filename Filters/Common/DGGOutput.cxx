@@ -14,6 +14,7 @@
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
+#include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
 #include "vtkIntArray.h"
 #include "vtkNew.h"
@@ -96,6 +97,57 @@ vtkSmartPointer<vtkPoints> MakePoints(dgg::Buffer<double>& coordinates, bool are
   }
   return points;
 }
+
+/// Copies the attributes of an input, except arrays whose number of tuples is wrong.
+template <typename DataType>
+vtkSmartPointer<DataType> CopyAttributes(DataType* data, vtkIdType tuples)
+{
+  auto copy = vtkSmartPointer<DataType>::New();
+  copy->ShallowCopy(data);
+  for (int i = copy->GetNumberOfArrays() - 1; i >= 0; --i)
+  {
+    if (copy->GetAbstractArray(i)->GetNumberOfTuples() != tuples)
+    {
+      copy->RemoveArray(i);
+    }
+  }
+  return copy;
+}
+
+/// Interpolates the point arrays of the input.
+void PassPointArrays(dgg::Buffer<dgg::PointOrigin>& origins, vtkPolyData* input, vtkPointData* data)
+{
+  const auto from = CopyAttributes(input->GetPointData(), input->GetNumberOfPoints());
+  data->InterpolateAllocate(from, static_cast<vtkIdType>(origins.Size()));
+  vtkNew<vtkIdList> points;
+  vtkIdType i = 0;
+  for (dgg::PointOrigin& origin : origins)
+  {
+    if (origin.Points[1] == dgg::NoId)
+    {
+      data->CopyData(from, origin.Points[0], i++);
+      continue;
+    }
+    points->Reset();
+    for (const dgg::Id point : origin.Points)
+    {
+      points->InsertNextId(point);
+    }
+    data->InterpolatePoint(from, i++, points, origin.Weights.data());
+  }
+}
+
+/// Copies the cell arrays of the input.
+void PassCellArrays(const dgg::Buffer<dgg::Offset>& origins, vtkPolyData* input, vtkCellData* data)
+{
+  const auto from = CopyAttributes(input->GetCellData(), input->GetNumberOfCells());
+  data->CopyAllocate(from, static_cast<vtkIdType>(origins.Size()));
+  vtkIdType i = 0;
+  for (const dgg::Offset cell : origins)
+  {
+    data->CopyData(from, cell, i++);
+  }
+}
 }
 
 //------------------------------------------------------------------------------
@@ -113,6 +165,14 @@ dgg::Status DGGFillOutput(dgg::Output& output, vtkPolyData* input, int precision
   data->SetVerts(DGGMakeCells(output.Verts));
   data->SetLines(DGGMakeCells(output.Lines));
   data->SetPolys(DGGMakeCells(output.Polygons));
+  if (output.PointOrigins)
+  {
+    PassPointArrays(*output.PointOrigins, input, data->GetPointData());
+  }
+  if (output.CellOrigins)
+  {
+    PassCellArrays(*output.CellOrigins, input, data->GetCellData());
+  }
   DGGAddArrays(output, data);
   return dgg::Status::Success();
 }

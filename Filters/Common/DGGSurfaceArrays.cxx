@@ -2,10 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DGGSurfaceArrays.h"
 
-#include "dggStatus.h"
-
 #include "vtkCellArray.h"
 #include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
 #include "vtkFloatArray.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
@@ -15,6 +14,25 @@
 #include <algorithm>
 #include <memory>
 #include <optional>
+
+namespace
+{
+/// Returns the properties of an array, which may be null, without its values.
+dgg::InputArray Describe(vtkAbstractArray* array, const std::string& name)
+{
+  dgg::InputArray described;
+  described.Name = name;
+  if (array)
+  {
+    described.Type = array->GetDataTypeAsString();
+    described.NumberOfComponents = array->GetNumberOfComponents();
+    described.NumberOfTuples = array->GetNumberOfTuples();
+    described.AreNumbers = vtkDataArray::SafeDownCast(array) != nullptr;
+    described.AreBytes = array->GetDataType() == VTK_UNSIGNED_CHAR;
+  }
+  return described;
+}
+}
 
 //------------------------------------------------------------------------------
 DGGSurfaceArrays::DGGSurfaceArrays(vtkPolyData* input, bool withPoints, bool withCells)
@@ -105,15 +123,22 @@ dgg::Status DGGCheckPointArray(vtkAbstractArray* array, vtkPolyData* data, const
   int components, vtkDataArray*& numbers)
 {
   numbers = vtkDataArray::SafeDownCast(array);
-  const vtkIdType n = data->GetNumberOfPoints();
-  const int found = array->GetNumberOfComponents();
-  if (numbers && (components == 0 || found == components) && array->GetNumberOfTuples() == n)
+  return Describe(array, array->GetName() ? array->GetName() : "(no name)")
+    .CheckPoints(where, data->GetNumberOfPoints(), components);
+}
+
+//------------------------------------------------------------------------------
+dgg::InputArray DGGReadArray(vtkFieldData* data, const std::string& name)
+{
+  vtkAbstractArray* found = data && !name.empty() ? data->GetAbstractArray(name.c_str()) : nullptr;
+  dgg::InputArray array = Describe(found, name);
+  if (auto* numbers = vtkDataArray::SafeDownCast(found))
   {
-    return dgg::Status::Success();
+    array.Values.resize(static_cast<std::size_t>(array.NumberOfTuples * array.NumberOfComponents));
+    for (vtkIdType i = 0; i < array.NumberOfTuples; ++i)
+    {
+      numbers->GetTuple(i, array.Values.data() + i * array.NumberOfComponents);
+    }
   }
-  return dgg::InvalidInput("The point array '", array->GetName() ? array->GetName() : "(no name)",
-    "' of ", where, " has ", found, " components and ", array->GetNumberOfTuples(),
-    " tuples of type ", array->GetDataTypeAsString(), " for ", n, " points")
-    .Fix(components == 1 ? "Use an array with one number per point"
-                         : "Use an array with numbers for each point");
+  return array;
 }

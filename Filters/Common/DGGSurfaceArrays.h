@@ -6,6 +6,7 @@
 #define DGGSurfaceArrays_h
 
 #include "vtkDGGFiltersCommonModule.h" // for the export macro
+#include "dggInputArray.h"             // for InputArray
 #include "dggPreparedSurface.h"        // for SurfaceArrays
 
 #include <functional> // for the cells
@@ -16,6 +17,7 @@
 class vtkAbstractArray;
 class vtkCellArray;
 class vtkDataArray;
+class vtkFieldData;
 class vtkPolyData;
 
 /// Points and cells of a vtkPolyData in the form of the kernel: views of arrays of doubles and
@@ -50,5 +52,9 @@ VTKDGGFILTERSCOMMON_EXPORT std::function<const dgg::SurfaceArrays&()> DGGConvert
 /// a tuple per point. `where` is the name of `data` in messages.
 VTKDGGFILTERSCOMMON_EXPORT dgg::Status DGGCheckPointArray(vtkAbstractArray* array,
   vtkPolyData* data, const std::string& where, int components, vtkDataArray*& numbers);
+
+/// Reads the array of this name. `data` may be null.
+VTKDGGFILTERSCOMMON_EXPORT dgg::InputArray DGGReadArray(
+  vtkFieldData* data, const std::string& name);
 
 #endif

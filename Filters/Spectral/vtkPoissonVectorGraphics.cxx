@@ -4,23 +4,18 @@
 
 #include "DGGContext.h"
 #include "DGGFilterInternals.h"
-#include "DGGGraphicsInput.h"
-#include "DGGGraphicsOutput.h"
+#include "DGGOutput.h"
 #include "DGGProperties.h"
 #include "DGGSources.h"
+#include "DGGSurfaceArrays.h"
 
-#include "dggGraphicsFragments.h"
-#include "dggGraphicsRefinement.h"
-#include "dggStatus.h"
-#include "dggPreparedSurface.h"
-#include "dggProgressPart.h"
+#include "dggGraphicsTask.h"
 
+#include "vtkCellData.h"
 #include "vtkObjectFactory.h"
+#include "vtkPointData.h"
 #include "vtkPolyData.h"
 
-#include <algorithm>
-#include <cmath>
-#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -28,57 +23,17 @@ vtkStandardNewMacro(vtkPoissonVectorGraphics);
 
 namespace
 {
-/// Progress after preparation, or after finding a kept preparation.
-constexpr double FactorizedAt = 0.7;
-constexpr double FoundAt = 0.01;
-/// Bytes per fragment, without colors.
-constexpr double BytesPerFragment = sizeof(dgg::SurfacePoint) + 64.0;
-constexpr double UsualWidth = 0.05; // of the diagonal
-/// Progress within the preparation: after joining and embedding curves, and refinement.
-constexpr double JoinedAt = 0.15;
-constexpr double EmbeddedAt = 0.22;
-constexpr double RefinedAt = 0.3;
-
-/// The inputs that a factorization depends on.
-struct Drawing
+/// Reads the arrays of this name of the points and of the cells.
+dgg::GraphicsArray ReadArrays(vtkPolyData* data, const std::string& name)
 {
-  std::uint64_t MeshBuild = 0;
-  std::vector<std::vector<dgg::SurfacePoint>> Places; // per curve
-  std::vector<dgg::GraphicsCurve> Curves;             // types and closedness
-  dgg::GraphicsRefinement Refinement;
-  bool IntrinsicDelaunay = false;
+  return { DGGReadArray(data ? data->GetPointData() : nullptr, name),
+    DGGReadArray(data ? data->GetCellData() : nullptr, name) };
+}
 
-  bool IsSame(const Drawing& other) const
-  {
-    bool isSame = this->MeshBuild == other.MeshBuild &&
-      this->Places.size() == other.Places.size() &&
-      this->Refinement.Levels == other.Refinement.Levels &&
-      this->Refinement.Part == other.Refinement.Part &&
-      this->Refinement.Faces == other.Refinement.Faces &&
-      this->IntrinsicDelaunay == other.IntrinsicDelaunay;
-    for (std::size_t k = 0; k < this->Places.size() && isSame; ++k)
-    {
-      isSame = this->Curves[k].Type == other.Curves[k].Type &&
-        this->Curves[k].IsClosed == other.Curves[k].IsClosed &&
-        std::equal(this->Places[k].begin(), this->Places[k].end(), other.Places[k].begin(),
-          other.Places[k].end(), dgg::IsSamePoint);
-    }
-    return isSame;
-  }
-};
-
-/// Returns the bytes for the faces of the surface after refinement. Curves add a few faces.
-double EstimateMesh(const dgg::SurfaceMesh& mesh, const Drawing& drawing)
+/// Returns the bytes per tuple of all arrays.
+double CountBytes(vtkFieldData* data, vtkIdType tuples)
 {
-  double faces = 0.0;
-  for (dgg::Id f = 0; f < mesh.GetNumberOfFaces(); ++f)
-  {
-    faces += mesh.IsDropped(f) ? 0.0 : 1.0;
-  }
-  return faces * dgg::VectorGraphics::BytesPerFace *
-    (drawing.Refinement.Part == dgg::RefinedPart::Everything
-        ? std::pow(4.0, drawing.Refinement.Levels)
-        : 1.0);
+  return tuples > 0 ? 1024.0 * data->GetActualMemorySize() / static_cast<double>(tuples) : 0.0;
 }
 }
 
@@ -97,93 +52,15 @@ public:
     return "Use a smaller mesh or a lower {RefinementLevel}, or refine near curves only";
   }
 
-  dgg::VectorGraphics Graphics;
-  Drawing Kept; // input that Graphics is prepared for
-  bool IsKept = false;
-  std::vector<dgg::Id> RefinedFaces; // faces within those selected for refinement
-  int NumberOfFactorizations = 0;
-
-  /// Draws the curves, refines and cuts the surface, factorizes the matrix. Memory is checked
-  /// before allocation. After a failure nothing is kept.
-  dgg::Status Prepare(const DGGContext& context, const Drawing& drawing,
-    const dgg::GraphicsOptions& options, const dgg::ProgressCallback& progress);
+  dgg::GraphicsTask Task;
 
 private:
-  dgg::Status Draw(const DGGContext& context, const Drawing& drawing,
-    const dgg::GraphicsOptions& options, const dgg::ProgressCallback& progress);
-  DGGGraphicsNames GetNames() const;
+  dgg::GraphicsInput ReadInput(
+    vtkPolyData* surface, vtkPolyData* lines, DGGSurfaceArrays& linesAsArrays) const;
+  dgg::GraphicsSettings GetSettings(vtkPolyData* surface) const;
 };
 
 vtkDGGInternalsMacro(vtkPoissonVectorGraphics);
-
-//------------------------------------------------------------------------------
-dgg::Status vtkPoissonVectorGraphics::vtkInternals::Draw(const DGGContext& context,
-  const Drawing& drawing, const dgg::GraphicsOptions& options,
-  const dgg::ProgressCallback& progress)
-{
-  const dgg::SurfaceMesh& mesh = context.Surface.GetMesh();
-  const std::size_t count = drawing.Curves.size();
-  DGG_RETURN_IF_ERROR(
-    context.Memory.Check("The refined mesh", EstimateMesh(mesh, drawing), this->GetMemoryRemedy()));
-  std::vector<dgg::SurfaceCurve> joined(count);
-  for (std::size_t k = 0; k < count; ++k)
-  {
-    const double part = JoinedAt / static_cast<double>(count);
-    const double begin = static_cast<double>(k) * part;
-    DGG_RETURN_IF_ERROR(dgg::JoinPoints(mesh, drawing.Places[k], drawing.Curves[k].IsClosed,
-      dgg::ProgressPart(progress, begin, begin + part), joined[k])
-                          .Of(drawing.Curves[k].Name));
-  }
-  dgg::SubMesh refined;
-  DGG_RETURN_IF_ERROR(
-    dgg::EmbedCurves(mesh, joined, dgg::ProgressPart(progress, JoinedAt, EmbeddedAt), refined));
-  dgg::GraphicsRefinement refinement = drawing.Refinement;
-  refinement.MostFaces =
-    static_cast<dgg::Offset>(std::min(context.Memory.GetBytes() / dgg::VectorGraphics::BytesPerFace,
-      static_cast<double>(refinement.MostFaces)));
-  refinement.Progress = dgg::ProgressPart(progress, EmbeddedAt, RefinedAt);
-  const dgg::Status status = dgg::RefineForGraphics(mesh, refinement, refined, &this->RefinedFaces);
-  if (!status.IsOk())
-  {
-    return status.GetCode() == dgg::Status::Code::OutOfMemory
-      ? status.Fix(this->GetMemoryRemedy(), ", or raise {MemoryLimit}")
-      : status;
-  }
-  std::vector<dgg::CurveChain> chains;
-  for (std::size_t k = 0; k < count; ++k)
-  {
-    chains.push_back(dgg::FollowCurve(refined, joined, k));
-  }
-  dgg::GraphicsOptions own = options;
-  own.Progress = dgg::ProgressPart(progress, RefinedAt, 1.0);
-  return this->Graphics.Prepare(mesh, refined, chains, drawing.Curves, own);
-}
-
-//------------------------------------------------------------------------------
-dgg::Status vtkPoissonVectorGraphics::vtkInternals::Prepare(const DGGContext& context,
-  const Drawing& drawing, const dgg::GraphicsOptions& options,
-  const dgg::ProgressCallback& progress)
-{
-  this->IsKept = false;
-  this->Graphics.Clear();
-  this->RefinedFaces = std::vector<dgg::Id>();
-  this->Kept = Drawing();
-  const dgg::Status status = this->Draw(context, drawing, options, progress);
-  if (!status.IsOk())
-  {
-    this->Graphics.Clear();
-    return status;
-  }
-  ++this->NumberOfFactorizations;
-  this->Kept = drawing;
-  for (dgg::GraphicsCurve& curve : this->Kept.Curves) // colors do not affect the factorization
-  {
-    curve.Left = std::vector<double>();
-    curve.Right = std::vector<double>();
-  }
-  this->IsKept = true;
-  return status;
-}
 
 //------------------------------------------------------------------------------
 vtkPoissonVectorGraphics::vtkPoissonVectorGraphics()
@@ -241,15 +118,6 @@ void vtkPoissonVectorGraphics::PrintSelf(ostream& os, vtkIndent indent)
 vtkDGGDefineInputMacro(vtkPoissonVectorGraphics, Curve, 1);
 
 //------------------------------------------------------------------------------
-DGGGraphicsNames vtkPoissonVectorGraphics::vtkInternals::GetNames() const
-{
-  return { this->Self->CurveTypeArrayName, this->Self->LeftColorArrayName,
-    this->Self->RightColorArrayName, this->Self->StrengthArrayName,
-    this->Self->RightStrengthArrayName, this->Self->WidthArrayName, this->Self->RegionArrayName,
-    this->Self->RegionStrengthArrayName, this->Self->RefinementArrayName };
-}
-
-//------------------------------------------------------------------------------
 const char* vtkPoissonVectorGraphics::GetRefinementRegionAsString() const
 {
   static const char* const names[] = { "Everywhere", "NearCurves", "Cells" };
@@ -265,20 +133,20 @@ vtkPolyData* vtkPoissonVectorGraphics::GetFragments()
 //------------------------------------------------------------------------------
 int vtkPoissonVectorGraphics::GetNumberOfFactorizations() const
 {
-  return this->GetInternals().NumberOfFactorizations;
+  return this->GetInternals().Task.GetNumberOfFactorizations();
 }
 
 //------------------------------------------------------------------------------
 vtkTypeUInt64 vtkPoissonVectorGraphics::GetMemorySize() const
 {
-  return static_cast<vtkTypeUInt64>(this->GetInternals().Graphics.GetEstimatedMemory());
+  return static_cast<vtkTypeUInt64>(this->GetInternals().Task.GetEstimatedMemory());
 }
 
 //------------------------------------------------------------------------------
 dgg::Status vtkPoissonVectorGraphics::vtkInternals::CheckProperties() const
 {
   DGG_RETURN_IF_ERROR(DGGCheckNames({ { "ResultArrayName", this->Self->ResultArrayName } }));
-  if (DGGGraphicsOutput::IsTaken(this->Self->ResultArrayName))
+  if (dgg::GraphicsTask::IsTaken(this->Self->ResultArrayName))
   {
     return dgg::InvalidInput("{ResultArrayName} is '", this->Self->ResultArrayName,
       "', the name of another array of the output")
@@ -290,107 +158,91 @@ dgg::Status vtkPoissonVectorGraphics::vtkInternals::CheckProperties() const
 }
 
 //------------------------------------------------------------------------------
+/// Reads the inputs. `linesAsArrays` holds the lines.
+dgg::GraphicsInput vtkPoissonVectorGraphics::vtkInternals::ReadInput(
+  vtkPolyData* surface, vtkPolyData* lines, DGGSurfaceArrays& linesAsArrays) const
+{
+  dgg::GraphicsInput input;
+  if (lines)
+  {
+    input.Lines = linesAsArrays.ConvertCells(lines->GetLines());
+    input.FirstLine = lines->GetNumberOfVerts(); // cell ids count verts first
+    input.NumberOfCells = lines->GetNumberOfCells();
+    input.NumberOfPoints = lines->GetNumberOfPoints();
+    input.Points = linesAsArrays.Get().Points;
+  }
+  input.CurveType =
+    DGGReadArray(lines ? lines->GetCellData() : nullptr, this->Self->CurveTypeArrayName);
+  input.LeftColor = ReadArrays(lines, this->Self->LeftColorArrayName);
+  input.RightColor = ReadArrays(lines, this->Self->RightColorArrayName);
+  input.Strength = ReadArrays(lines, this->Self->StrengthArrayName);
+  input.RightStrength = ReadArrays(lines, this->Self->RightStrengthArrayName);
+  input.Width = ReadArrays(lines, this->Self->WidthArrayName);
+  input.DefaultWidth = this->Self->Width;
+  vtkCellData* cells = surface->GetCellData();
+  input.NumberOfSurfaceCells = surface->GetNumberOfCells();
+  input.Region = DGGReadArray(cells, this->Self->RegionArrayName);
+  input.RegionStrength = DGGReadArray(cells, this->Self->RegionStrengthArrayName);
+  if (this->Self->RefinementRegion == Cells)
+  {
+    input.Refinement = DGGReadArray(cells, this->Self->RefinementArrayName);
+  }
+  return input;
+}
+
+//------------------------------------------------------------------------------
+dgg::GraphicsSettings vtkPoissonVectorGraphics::vtkInternals::GetSettings(
+  vtkPolyData* surface) const
+{
+  const dgg::RefinedPart parts[] = { dgg::RefinedPart::Everything, dgg::RefinedPart::AroundCurves,
+    dgg::RefinedPart::Faces };
+  dgg::GraphicsSettings settings;
+  settings.ResultName = this->Self->ResultArrayName;
+  settings.RefinementLevel = this->Self->RefinementLevel;
+  settings.Refinement = parts[this->Self->RefinementRegion];
+  settings.Background.assign(this->Self->BackgroundColor, this->Self->BackgroundColor + 3);
+  settings.IsIntrinsicDelaunay = this->Self->IntrinsicDelaunay;
+  settings.WantFragments = this->Self->GenerateFragments;
+  settings.FragmentDivision = this->Self->FragmentDivision;
+  settings.BytesPerPoint = CountBytes(surface->GetPointData(), surface->GetNumberOfPoints());
+  settings.BytesPerCell = CountBytes(surface->GetCellData(), surface->GetNumberOfCells());
+  settings.MemoryRemedy = this->GetMemoryRemedy();
+  return settings;
+}
+
+//------------------------------------------------------------------------------
 dgg::Status vtkPoissonVectorGraphics::vtkInternals::Execute(
   const DGGContext& context, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  const dgg::PreparedSurface& prepared = context.Surface;
   vtkPolyData* lines = vtkPolyData::GetData(inputVector[1]);
-  DGGGraphicsNames names = this->GetNames();
-  double bounds[6];
-  context.Input->GetPoints()->GetBounds(bounds);
-  const double diagonal =
-    std::hypot(bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4]);
-  names.DefaultWidth = this->Self->Width > 0.0 ? this->Self->Width : UsualWidth * diagonal;
-  DGGGraphicsInput input;
-  DGG_RETURN_IF_ERROR(input.Read(lines, context.Input, names));
-  const std::vector<dgg::GraphicsCurve>& curves = input.GetCurves();
-  if (curves.empty() && names.Region.empty())
+  DGGSurfaceArrays arrays(lines, lines != nullptr, false);
+  dgg::GraphicsDrawing drawing;
+  DGG_RETURN_IF_ERROR(
+    dgg::ReadGraphics(this->ReadInput(context.Input, lines, arrays), context.Surface, drawing));
+  std::vector<dgg::SurfacePoint> places;
+  if (!drawing.Points.empty())
   {
-    return dgg::InvalidInput("There is nothing to draw")
-      .Fix("Connect lines to input port 1, or set {RegionArrayName}");
-  }
-  Drawing drawing;
-  drawing.MeshBuild = prepared.GetBuildNumber();
-  drawing.Curves = curves;
-  drawing.Places.resize(curves.size());
-  static const std::vector<vtkIdType> none;
-  for (std::size_t k = 0; k < curves.size(); ++k)
-  {
+    static const std::vector<vtkIdType> none;
+    const std::vector<vtkIdType> points(drawing.Points.begin(), drawing.Points.end());
     DGGSourceSet set{ none, lines, 1, "curve point", "", "" };
-    set.PointIds = &input.GetPointIds()[k];
-    DGG_RETURN_IF_ERROR(
-      DGGLocate(context, set, this->Self->ProjectionTolerance, drawing.Places[k]));
+    set.PointIds = &points;
+    DGG_RETURN_IF_ERROR(DGGLocate(context, set, this->Self->ProjectionTolerance, places));
   }
-
-  DGGGraphicsOutput output(this->Self->ResultArrayName);
-  DGG_RETURN_IF_ERROR(output.Take(context, this->Self->GetOutputPointsPrecision()));
-  const dgg::RefinedPart parts[] = { dgg::RefinedPart::Everything, dgg::RefinedPart::AroundCurves,
-    dgg::RefinedPart::Faces };
-  drawing.Refinement.Levels = this->Self->RefinementLevel;
-  drawing.Refinement.Part = parts[this->Self->RefinementRegion];
-  if (this->Self->RefinementRegion == Cells)
-  {
-    DGG_RETURN_IF_ERROR(
-      DGGGraphicsInput::FindRefinedFaces(context.Input, names, prepared, drawing.Refinement.Faces));
-  }
-  drawing.IntrinsicDelaunay = this->Self->IntrinsicDelaunay;
-  dgg::GraphicsOptions options;
-  options.NumberOfChannels = input.GetNumberOfChannels();
-  options.Background.assign(this->Self->BackgroundColor, this->Self->BackgroundColor + 3);
-  options.Background.resize(static_cast<std::size_t>(options.NumberOfChannels), 0.0);
-  if (!std::all_of(options.Background.begin(), options.Background.end(),
-        [](double x) { return std::isfinite(x); }))
-  {
-    return dgg::InvalidInput("{BackgroundColor} is not finite")
-      .At("BackgroundColor")
-      .Fix("Use finite numbers");
-  }
-  options.IntrinsicDelaunay = this->Self->IntrinsicDelaunay;
-  options.CheckMemory = [&](double bytes, double missing) {
-    const double points = static_cast<double>(this->Graphics.GetSurface().Points.size());
-    const double own = !context.Memory.IsExplicit() ? missing : bytes;
-    return context.Memory.Check("The factorization with the colors",
-      own + points * output.GetBytesPerPoint(options.NumberOfChannels), this->GetMemoryRemedy());
-  };
-  const std::vector<dgg::GraphicsRegion> regions = input.MakeRegions(prepared);
-  const bool isKept = this->IsKept && this->Kept.IsSame(drawing);
-  const double preparedAt = isKept ? FoundAt : FactorizedAt;
-  if (!isKept)
-  {
-    DGG_RETURN_IF_ERROR(this->Prepare(
-      context, drawing, options, dgg::ProgressPart(context.Progress, 0.0, preparedAt)));
-  }
-  dgg::GraphicsResult result;
-  options.Progress = dgg::ProgressPart(context.Progress, preparedAt, 1.0);
-  DGG_RETURN_IF_ERROR(this->Graphics.Run(curves, regions, options, result));
-  const dgg::SubMesh& cut = this->Graphics.GetSurface();
-  const int channels = options.NumberOfChannels;
-  if (this->Self->GenerateFragments)
-  {
-    // Memory as fragments and as arrays.
-    const double bytes = BytesPerFragment + 2.0 * channels * sizeof(double);
-    const double count = static_cast<double>(this->RefinedFaces.size()) *
-      std::pow(static_cast<double>(this->Self->FragmentDivision), 2);
-    DGG_RETURN_IF_ERROR(context.Memory.Check("The output of fragments", count * bytes,
-      "Use a smaller {FragmentDivision}, or refine near curves only"));
-  }
-  output.Fill(cut, result, channels, vtkPolyData::GetData(outputVector));
-  if (this->Self->GenerateFragments)
-  {
-    output.FillFragments(dgg::MakeFragments(prepared.GetMesh(), cut, this->RefinedFaces,
-                           result.Values, channels, this->Self->FragmentDivision),
-      channels, vtkPolyData::GetData(outputVector, 1));
-  }
-  return dgg::Status::Success();
+  dgg::Output outputs[2];
+  DGG_RETURN_IF_ERROR(this->Task.Run(
+    context, drawing, places, this->GetSettings(context.Input), outputs[0], outputs[1]));
+  DGG_RETURN_IF_ERROR(this->FillOutput(context, outputs[0], outputVector));
+  return this->Self->GenerateFragments ? this->FillOutput(context, outputs[1], outputVector, 1)
+                                       : dgg::Status::Success();
 }
 
 //------------------------------------------------------------------------------
 void vtkPoissonVectorGraphics::vtkInternals::MakeEmptyOutput(
   const DGGContext& context, vtkInformationVector* outputVector)
 {
+  dgg::Output results;
+  dgg::GraphicsTask::WriteEmpty(this->Self->ResultArrayName, results);
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   output->ShallowCopy(context.Input);
-  const DGGGraphicsOutput arrays(this->Self->ResultArrayName);
-  arrays.AddColors({}, 3, output);
-  arrays.AddNetSources({}, 3, output);
+  DGGAddArrays(results, output);
 }

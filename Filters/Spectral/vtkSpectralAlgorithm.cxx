@@ -3,54 +3,40 @@
 #include "vtkSpectralAlgorithm.h"
 
 #include "DGGContext.h"
+#include "DGGOutput.h"
 #include "DGGProperties.h"
 #include "DGGSources.h"
 #include "DGGSpectralInternals.h"
 
-#include "dggPreparedSurface.h"
-#include "dggProgressPart.h"
+#include "dggSpectralTask.h"
 
-#include "vtkDoubleArray.h"
-#include "vtkNew.h"
-#include "vtkPointData.h"
 #include "vtkPolyData.h"
 
-#include <algorithm>
 #include <vector>
 
 namespace
 {
-/// Progress after factorization, or after finding a kept factorization.
-constexpr double FactorizedAt = 0.4;
-constexpr double FoundAt = 0.01;
-/// Progress weight of selecting sources within the rest.
-constexpr double ChoosingPart = 0.1;
-
 /// Returns the factorization that a filter keeps.
-const DGGPoissonCache& GetCache(const DGGFilterInternals& internals)
+const dgg::PoissonSession& GetSession(const DGGFilterInternals& internals)
 {
-  return static_cast<const DGGSpectralInternals&>(internals).Cache;
+  return static_cast<const DGGSpectralInternals&>(internals).Session;
 }
 
-/// Adds the results to the points of a port as active scalars; without results, the last of the
-/// further arrays becomes active.
-void AddResult(vtkPolyData* output, vtkPolyData* points, vtkDoubleArray* array,
-  const std::vector<vtkSmartPointer<vtkDataArray>>& further)
+const std::vector<vtkIdType> NoIds;
+
+/// Fills both ports: the surface and the evaluation points, which may be null, with results.
+void FillOutputs(dgg::Output* outputs, vtkPolyData* surface, vtkPolyData* places,
+  vtkInformationVector* outputVector)
 {
-  output->ShallowCopy(points);
-  for (vtkDataArray* other : further)
+  vtkPolyData* const inputs[] = { surface, places };
+  for (int port = 0; port < 2; ++port)
   {
-    output->GetPointData()->AddArray(other);
-  }
-  vtkDataArray* shown = further.empty() ? nullptr : further.back();
-  if (array)
-  {
-    output->GetPointData()->AddArray(array);
-    shown = array;
-  }
-  if (shown)
-  {
-    output->GetPointData()->SetActiveScalars(shown->GetName());
+    vtkPolyData* data = vtkPolyData::GetData(outputVector, port);
+    if (inputs[port])
+    {
+      data->ShallowCopy(inputs[port]);
+    }
+    DGGAddArrays(outputs[port], data);
   }
 }
 }
@@ -105,13 +91,13 @@ const char* vtkSpectralAlgorithm::GetBoundaryAsString() const
 //------------------------------------------------------------------------------
 int vtkSpectralAlgorithm::GetNumberOfFactorizations() const
 {
-  return GetCache(*this->Internals).GetNumberOfFactorizations();
+  return GetSession(*this->Internals).GetNumberOfFactorizations();
 }
 
 //------------------------------------------------------------------------------
 vtkTypeUInt64 vtkSpectralAlgorithm::GetMemorySize() const
 {
-  return GetCache(*this->Internals).GetMemorySize();
+  return GetSession(*this->Internals).GetMemorySize();
 }
 
 //------------------------------------------------------------------------------
@@ -129,40 +115,36 @@ dgg::Status DGGSpectralInternals::CheckProperties() const
 }
 
 //------------------------------------------------------------------------------
-dgg::PoissonOptions DGGSpectralInternals::GetPoissonOptions() const
+/// Returns the task with the properties of all spectral filters, too.
+dgg::SpectralTask& DGGSpectralInternals::PrepareWholeTask(
+  vtkPolyData* surface, const DGGSourceSet& sources)
 {
-  dgg::PoissonOptions options;
-  options.Boundary = this->Filter->Boundary == vtkSpectralAlgorithm::Dirichlet
+  dgg::SpectralTask& task = this->PrepareTask(surface, sources);
+  task.Poisson.Boundary = this->Filter->Boundary == vtkSpectralAlgorithm::Dirichlet
     ? dgg::PoissonBoundary::Dirichlet
     : dgg::PoissonBoundary::Neumann;
-  options.IntrinsicDelaunay = this->Filter->IntrinsicDelaunay;
-  return options;
+  task.Poisson.IntrinsicDelaunay = this->Filter->IntrinsicDelaunay;
+  task.ResultName = this->Filter->ResultArrayName;
+  return task;
 }
 
 //------------------------------------------------------------------------------
-DGGSourceSet DGGSpectralInternals::GetSources(vtkInformationVector** inputVector) const
+DGGSourceSet DGGSpectralInternals::GetSources(vtkPolyData* points) const
 {
-  return { this->Filter->SourceIds, vtkPolyData::GetData(inputVector[1]), 1, "source", "SourceIds",
-    "" };
-}
-
-//------------------------------------------------------------------------------
-DGGSourceSet DGGSpectralInternals::GetTargets(vtkInformationVector** inputVector)
-{
-  static const std::vector<vtkIdType> none;
-  return { none, vtkPolyData::GetData(inputVector[2]), 2, "evaluation point", "", "" };
+  return { this->Filter->SourceIds, points, 1, "source", "SourceIds", "" };
 }
 
 //------------------------------------------------------------------------------
 dgg::Status DGGSpectralInternals::Execute(
   const DGGContext& context, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  const dgg::PreparedSurface& mesh = context.Surface;
-  const DGGSourceSet targetSet = GetTargets(inputVector);
-  const DGGSourceSet sourceSet = this->GetSources(inputVector);
+  vtkPolyData* places = vtkPolyData::GetData(inputVector[2]);
+  const DGGSourceSet sourceSet = this->GetSources(vtkPolyData::GetData(inputVector[1]));
+  const DGGSourceSet targetSet{ NoIds, places, 2, "evaluation point", "", "" };
+  dgg::SpectralTask& task = this->PrepareWholeTask(context.Input, sourceSet);
   std::vector<dgg::SurfacePoint> sources;
   std::vector<dgg::SurfacePoint> targets;
-  if (!this->CanChooseSources() || !sourceSet.IsEmpty())
+  if (!task.CanChooseSources() || !sourceSet.IsEmpty())
   {
     DGG_RETURN_IF_ERROR(DGGLocate(context, sourceSet, this->Filter->ProjectionTolerance, sources));
   }
@@ -170,39 +152,11 @@ dgg::Status DGGSpectralInternals::Execute(
   {
     DGG_RETURN_IF_ERROR(DGGLocate(context, targetSet, this->Filter->ProjectionTolerance, targets));
   }
-  DGG_RETURN_IF_ERROR(this->ReadInputs(context.Input, sourceSet));
-
-  const auto numberOfPoints = static_cast<std::size_t>(context.Input->GetNumberOfPoints());
-  const dgg::PoissonOptions options = this->GetPoissonOptions();
-  double needed = 0.0;
-  const auto others = [&](const dgg::PoissonSolver& solver) {
-    const std::size_t count = this->CountSources(solver, sources.size());
-    needed = DGGSpectralOutputs::EstimateMemory(
-               numberOfPoints, targets.size(), this->CountResults(count)) +
-      this->EstimateWorkingMemory(context, solver, count, targets.size());
-    return needed;
-  };
-  const double prepared = this->Cache.IsPrepared(mesh, options) ? FoundAt : FactorizedAt;
-  const double chosen =
-    prepared + (this->CanChooseSources() ? ChoosingPart * (1.0 - prepared) : 0.0);
-  DGG_RETURN_IF_ERROR(this->Cache.Prepare(context, options, others, this->GetMemoryRemedy(),
-    dgg::ProgressPart(context.Progress, 0.0, prepared)));
-  DGG_RETURN_IF_ERROR(this->ChooseSources(
-    this->Cache.GetSolver(), dgg::ProgressPart(context.Progress, prepared, chosen), sources));
-  const double held =
-    !context.Memory.IsExplicit() ? 0.0 : this->Cache.GetSolver().GetEstimatedMemory();
-  const double left = context.Memory.GetBytes() - held - needed;
-  DGGSpectralOutputs outputs(mesh, numberOfPoints, targets.size(),
-    this->CountResults(sources.size()), this->Filter->ResultArrayName);
-  DGGSpectralTask task{ context, this->Cache.GetSolver(), this->Cache.GetSolverTime(), sources,
-    targets, sourceSet, std::max(0.0, left), dgg::ProgressPart(context.Progress, chosen, 1.0),
-    outputs };
-  DGG_RETURN_IF_ERROR(this->ComputeValues(task));
-  AddResult(vtkPolyData::GetData(outputVector, 0), context.Input, outputs.GetPointArray(),
-    outputs.GetFurtherArrays(0));
-  vtkNew<vtkPolyData> none;
-  AddResult(vtkPolyData::GetData(outputVector, 1), targetSet.Points ? targetSet.Points : none,
-    outputs.GetTargetArray(), outputs.GetFurtherArrays(1));
+  dgg::Output outputs[2];
+  DGG_RETURN_IF_ERROR(
+    task.Run(context, this->Session, sources, targets, this->GetMemoryRemedy(), outputs));
+  this->Warn(outputs[0].Warnings);
+  FillOutputs(outputs, context.Input, places, outputVector);
   return dgg::Status::Success();
 }
 
@@ -210,11 +164,8 @@ dgg::Status DGGSpectralInternals::Execute(
 void DGGSpectralInternals::MakeEmptyOutput(
   const DGGContext& context, vtkInformationVector* outputVector)
 {
-  const DGGSpectralOutputs outputs(
-    context.Surface, 0, 0, this->CountResults(1), this->Filter->ResultArrayName);
-  AddResult(vtkPolyData::GetData(outputVector, 0), context.Input, outputs.GetPointArray(),
-    outputs.GetFurtherArrays(0));
-  vtkNew<vtkPolyData> none;
-  AddResult(vtkPolyData::GetData(outputVector, 1), none, outputs.GetTargetArray(),
-    outputs.GetFurtherArrays(1));
+  dgg::Output outputs[2];
+  this->PrepareWholeTask(context.Input, this->GetSources(nullptr))
+    .WriteEmpty(context.Surface, outputs);
+  FillOutputs(outputs, context.Input, nullptr, outputVector);
 }

@@ -333,7 +333,7 @@ std::vector<Refusal> RefuseMovers()
           AddArray(GetSurface(f), "to", [](vtkIdType) { return 2.0; });
         },
         { "the mass 81", "162" }),
-      mass("missing", { "input port 1", "'missing'", "SetMassArrayName()" }),
+      mass("missing", { "input port 1", "'missing'", "MassArrayName" }),
       mass("mass", { "'mass'", "-2" }) };
 }
 }

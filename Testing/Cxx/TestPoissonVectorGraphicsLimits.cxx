@@ -204,7 +204,7 @@ TEST(PoissonVectorGraphics, MemoryIsPredictedBeforeCurvesAreDrawn)
   drawing.Filter->SetRefinementLevel(6);
   drawing.Filter->SetMemoryLimit(20 << 20);
   ProgressWatch watch(drawing.Filter);
-  ExpectError(drawing.Filter, { "the refined mesh", "MemoryLimit", "RefinementLevel" });
+  ExpectError(drawing.Filter, { "The refined mesh", "MemoryLimit", "RefinementLevel" });
   for (const double reported : watch.Progress)
   {
     EXPECT_TRUE(reported <= 0.1 + 1e-12 || reported == 1.0)

@@ -37,7 +37,7 @@ void WriteLines(const TaskContext& context, const std::vector<SurfacePath>& line
     curves.push_back({ &lines[i], isClosed[i] });
   }
   WriteCurves(context, curves, output);
-  std::copy(values.begin(), values.end(), output.CellData.Add<double>(name, values.size()));
+  output.CellData.AddValues<double>(name, values);
   output.CellScalars = name;
 }
 

@@ -8,12 +8,15 @@
 #include "dggBuffer.h" // for the arrays
 #include "dggTypes.h"  // for Offset
 
-#include <cstddef> // for std::size_t
-#include <cstdint> // for types of values
-#include <string>  // for names
-#include <utility> // for std::move
-#include <variant> // for types of values
-#include <vector>  // for lists of arrays
+#include <algorithm> // for std::copy
+#include <array>     // for origins
+#include <cstddef>   // for std::size_t
+#include <cstdint>   // for types of values
+#include <optional>  // for origins
+#include <string>    // for names
+#include <utility>   // for std::move
+#include <variant>   // for types of values
+#include <vector>    // for lists of arrays
 
 namespace dgg
 {
@@ -41,6 +44,13 @@ public:
     this->push_back({ name, components, std::move(values) });
     return first;
   }
+  /// Adds an array with the given values.
+  template <typename ValueType, typename Number>
+  void AddValues(const std::string& name, const std::vector<Number>& values, int components = 1)
+  {
+    const std::size_t tuples = values.size() / static_cast<std::size_t>(components);
+    std::copy(values.begin(), values.end(), this->Add<ValueType>(name, tuples, components));
+  }
 };
 
 /// Cells as flat arrays: the point ids of cell i are `Points[Offsets[i]]` to
@@ -53,6 +63,14 @@ struct OutputCells
   std::size_t GetNumberOfCells() const { return this->Offsets.IsEmpty() ? 0 : Offsets.Size() - 1; }
 };
 
+/// Points of the input from which arrays are interpolated at a point of an output. The weights are
+/// not used if there is one point, whose tuples are copied; then the other ids are NoId.
+struct PointOrigin
+{
+  std::array<Id, 3> Points;
+  std::array<double, 3> Weights;
+};
+
 /// Cells are numbered verts first, then lines, then polygons.
 struct Output
 {
@@ -63,6 +81,12 @@ struct Output
   OutputArrays PointData;
   OutputArrays CellData;
   OutputArrays FieldData;
+  ///@{
+  /// Origins of all points and of all cells (cells of the input), if arrays of the input are
+  /// passed. Arrays of the output with the same names replace them.
+  std::optional<Buffer<PointOrigin>> PointOrigins;
+  std::optional<Buffer<Offset>> CellOrigins;
+  ///@}
   ///@{
   /// Names of the active scalars; empty for none.
   std::string PointScalars;

@@ -120,6 +120,15 @@ void WritePositions(
 }
 
 //------------------------------------------------------------------------------
+void WriteVerts(std::size_t size, Output& output)
+{
+  output.Verts.Offsets = Buffer<Offset>(size + 1);
+  output.Verts.Points = Buffer<Offset>(size);
+  std::iota(output.Verts.Offsets.begin(), output.Verts.Offsets.end(), 0);
+  std::iota(output.Verts.Points.begin(), output.Verts.Points.end(), 0);
+}
+
+//------------------------------------------------------------------------------
 Offset GetOriginalPoint(const SurfacePoint& point)
 {
   return IsVertex(point) ? point.Vertex : NoId;
@@ -135,10 +144,7 @@ Offset GetOriginalCell(const PreparedSurface& surface, Id face)
 void WriteSurfacePoints(
   const TaskContext& context, const std::vector<SurfacePoint>& points, Output& output)
 {
-  output.Verts.Offsets = Buffer<Offset>(points.size() + 1);
-  output.Verts.Points = Buffer<Offset>(points.size());
-  std::iota(output.Verts.Offsets.begin(), output.Verts.Offsets.end(), 0);
-  std::iota(output.Verts.Points.begin(), output.Verts.Points.end(), 0);
+  WriteVerts(points.size(), output);
   PointWriter writer(context, points.size(), true, output);
   for (std::size_t i = 0; i < points.size(); ++i)
   {

@@ -37,11 +37,12 @@ DGG_CORE_EXPORT const double* WriteCurves(
   const TaskContext& context, const std::vector<OutputCurve>& curves, Output& output);
 
 ///@{
-/// Helpers for other outputs: writes the positions (x y z) of points; returns the id of the input
-/// point at a surface point, -1 if there is none; returns the cell of the input that contains a
-/// face, -1 for NoId.
+/// Helpers for other outputs: writes the positions (x y z) of points; writes a vert per point;
+/// returns the id of the input point at a surface point, -1 if there is none; returns the cell of
+/// the input that contains a face, -1 for NoId.
 DGG_CORE_EXPORT void WritePositions(
   const PreparedSurface& surface, const std::vector<SurfacePoint>& points, Output& output);
+DGG_CORE_EXPORT void WriteVerts(std::size_t size, Output& output);
 DGG_CORE_EXPORT Offset GetOriginalPoint(const SurfacePoint& point);
 DGG_CORE_EXPORT Offset GetOriginalCell(const PreparedSurface& surface, Id face);
 ///@}
