@@ -12,6 +12,7 @@
 #include "vtkDGGFiltersGeodesicModule.h" // for the export macro
 #include "vtkSetGet.h"                   // for vtkNotUsed()
 #include "vtkSmartPointer.h"             // for the joined input
+#include "vtkTable.h"                    // for the report
 #include "vtkType.h"                     // for vtkMTimeType
 
 #include <atomic>     // for the progress
@@ -102,6 +103,8 @@ public:
   void Warn(const std::string& text) const;
   void Warn(const std::vector<std::string>& texts) const;
   ///@}
+
+  vtkSmartPointer<vtkTable> ReportTable; ///< holds the result of GetMeshReportTable()
 
   /// Warns once per mesh if most of the surface is not connected to the reached vertices although
   /// its components nearly touch. For use after a distance.

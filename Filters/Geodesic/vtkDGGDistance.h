@@ -12,10 +12,11 @@
  *
  *     |result - exact distance| <= accuracy * (exact distance - o),
  *
- * up to rounding (1e-6) and GetMollification(), where accuracy is the graph's accuracy and o the
- * smallest initial distance of a source. Sources inside triangles have the same bound. Without
- * Correction, results are lengths of paths in the graph. Graphs by a rule without a guarantee
- * (OneRelay, SaddleVertexGraph) have no bound. Only an update that builds a graph takes long.
+ * up to rounding (1e-6) and Mollification in GetMeshReportTable(), where accuracy is that of the
+ * graph and o the smallest initial distance of a source. Sources inside triangles have the same
+ * bound. Without Correction, results are lengths of paths in the graph. Graphs by a rule without a
+ * guarantee (OneRelay, SaddleVertexGraph) have no bound. Only an update that builds a graph takes
+ * long.
  *
  * <b>Errors</b>. All errors of vtkGeodesicDistanceAlgorithm; a graph, or links of sources inside
  * triangles (about 250 bytes per triangle), beyond MemoryLimit; GenerateVirtualSource on a cloud.

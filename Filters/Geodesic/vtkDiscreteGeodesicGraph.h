@@ -21,8 +21,8 @@
  *
  *     exact distance <= distance in the graph <= (1 + Accuracy) * exact distance,
  *
- * up to rounding (1e-6) and GetMollification(). A directed edge takes 16 bytes; m is proportional
- * to 1 / sqrt(Accuracy). All threads of vtkSMPTools build the graph.
+ * up to rounding (1e-6) and Mollification in GetMeshReportTable(). A directed edge takes 16 bytes;
+ * m is proportional to 1 / sqrt(Accuracy). All threads of vtkSMPTools build the graph.
  *
  * <b>Errors</b>. All errors of vtkGeodesicAlgorithm; a graph predicted to exceed MemoryLimit. The
  * page Filters/Geodesic/Distances.md has code, details of the arrays, rules and lifetime.

@@ -3,53 +3,23 @@
 #include "vtkGeodesicAlgorithm.h"
 
 #include "DGGFilterInternals.h"
+#include "DGGMakeArray.h"
 #include "DGGMeshAdapter.h"
 
 #include "vtkCompositeDataSet.h"
 #include "vtkDataObjectTypes.h"
+#include "vtkDataSetAttributes.h"
 #include "vtkDemandDrivenPipeline.h"
+#include "vtkDoubleArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMultiProcessController.h"
+#include "vtkNew.h"
 #include "vtkPolyData.h"
+#include "vtkTable.h"
 
 #include <cstring>
 #include <sstream>
-
-namespace
-{
-void WriteReport(std::ostream& os, const dgg::PreparedSurface& mesh)
-{
-  const dgg::MeshReport& report = mesh.GetReport();
-  os << "points: " << report.Vertices << "\n";
-  os << "triangles: " << report.Faces << "\n";
-  os << "components: " << report.Components << "\n";
-  os << "boundary loops: " << report.BoundaryLoops << "\n";
-  os << "boundary edges: " << report.BoundaryEdges << "\n";
-  os << "orientable: " << (report.Orientable ? "yes" : "no") << "\n";
-  os << "genus: ";
-  if (report.Genus < 0)
-  {
-    os << "undefined\n";
-  }
-  else
-  {
-    os << report.Genus << "\n";
-  }
-  os << "non-manifold edges: " << report.NonManifoldEdges << "\n";
-  os << "non-manifold vertices: " << report.NonManifoldVertices << "\n";
-  os << "dropped faces: " << mesh.GetNumberOfDroppedCells() << "\n";
-  os << "degenerate faces: " << report.DegenerateFaces << "\n";
-  os << "duplicate faces: " << report.DuplicateFaces << "\n";
-  os << "isolated points: " << mesh.GetNumberOfIsolatedPoints() << "\n";
-  os << "coincident points: " << report.CoincidentPoints << "\n";
-  os << "merged points: " << mesh.GetNumberOfMergedPoints() << "\n";
-  os << "length added to degenerate faces: " << report.Mollification << "\n";
-  os << "height of degenerate faces left out: " << mesh.GetLargestCapHeight() << "\n";
-  os << "anisotropy: mean " << report.MeanAnisotropy << ", median " << report.MedianAnisotropy
-     << "\n";
-}
-}
 
 //------------------------------------------------------------------------------
 vtkGeodesicAlgorithm::vtkGeodesicAlgorithm()
@@ -94,41 +64,36 @@ void vtkGeodesicAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
 //------------------------------------------------------------------------------
 std::string vtkGeodesicAlgorithm::GetMeshReport() const
 {
-  if (this->GetNumberOfTriangles() == 0)
+  const dgg::PreparedSurface& surface = this->Internals->GetMesh().Get();
+  if (surface.GetMeshWithoutAngles().GetNumberOfFaces() == 0)
   {
     return "no surface\n";
   }
-  std::ostringstream os;
-  WriteReport(os, this->Internals->GetMesh().Get());
-  return os.str();
+  std::string text;
+  for (const dgg::ReportItem& item : surface.ListReport())
+  {
+    text += std::string(item.Words) + ": " + item.Text + "\n";
+  }
+  return text;
 }
 
 //------------------------------------------------------------------------------
-#define vtkDGGReportMacro(Type, Name, Value)       \
-  Type vtkGeodesicAlgorithm::Get##Name() const     \
-  {                                                \
-    return this->Internals->GetMesh().Get().Value; \
+vtkTable* vtkGeodesicAlgorithm::GetMeshReportTable()
+{
+  vtkNew<vtkTable> table;
+  for (const dgg::ReportItem& item : this->Internals->GetMesh().Get().ListReport())
+  {
+    DGGAddArray<vtkDoubleArray>(table->GetRowData(), item.Name, 1)->SetValue(0, item.Value);
   }
-vtkDGGReportMacro(vtkIdType, NumberOfTriangles, GetMeshWithoutAngles().GetNumberOfFaces());
-vtkDGGReportMacro(vtkIdType, NumberOfIsolatedPoints, GetNumberOfIsolatedPoints());
-vtkDGGReportMacro(vtkIdType, NumberOfComponents, GetReport().Components);
-vtkDGGReportMacro(vtkIdType, NumberOfBoundaryEdges, GetReport().BoundaryEdges);
-vtkDGGReportMacro(vtkIdType, NumberOfBoundaryLoops, GetReport().BoundaryLoops);
-vtkDGGReportMacro(vtkIdType, NumberOfNonManifoldEdges, GetReport().NonManifoldEdges);
-vtkDGGReportMacro(vtkIdType, NumberOfNonManifoldVertices, GetReport().NonManifoldVertices);
-vtkDGGReportMacro(vtkIdType, NumberOfDroppedFaces, GetNumberOfDroppedCells());
-vtkDGGReportMacro(vtkIdType, NumberOfDegenerateFaces, GetReport().DegenerateFaces);
-vtkDGGReportMacro(vtkIdType, NumberOfDuplicateFaces, GetReport().DuplicateFaces);
-vtkDGGReportMacro(vtkIdType, NumberOfCoincidentPoints, GetReport().CoincidentPoints);
-vtkDGGReportMacro(
-  vtkIdType, NumberOfCoincidentBoundaryPoints, GetNumberOfCoincidentBoundaryPoints());
-vtkDGGReportMacro(bool, Orientable, GetReport().Orientable);
-vtkDGGReportMacro(vtkIdType, Genus, GetReport().Genus);
-vtkDGGReportMacro(double, MeanAnisotropy, GetAnisotropy().Mean);
-vtkDGGReportMacro(double, MedianAnisotropy, GetAnisotropy().Median);
-vtkDGGReportMacro(double, Mollification, GetReport().Mollification);
-vtkDGGReportMacro(double, LargestCapHeight, GetLargestCapHeight());
-#undef vtkDGGReportMacro
+  this->Internals->ReportTable = table;
+  return table;
+}
+
+//------------------------------------------------------------------------------
+double vtkGeodesicAlgorithm::GetMeanAnisotropy() const
+{
+  return this->Internals->GetMesh().Get().GetAnisotropy().Mean;
+}
 
 //------------------------------------------------------------------------------
 vtkMTimeType vtkGeodesicAlgorithm::GetMeshBuildTime() const

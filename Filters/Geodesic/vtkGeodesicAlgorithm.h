@@ -47,6 +47,7 @@
 
 class DGGFilterInternals;
 class vtkMultiProcessController;
+class vtkTable;
 
 class VTKDGGFILTERSGEODESIC_EXPORT vtkGeodesicAlgorithm : public vtkPolyDataAlgorithm
 {
@@ -122,62 +123,35 @@ public:
    */
   std::string GetMeshReport() const;
 
-  ///@{
   /**
-   * Items of the mesh report as numbers; zero without a surface. Triangles are those in use;
-   * isolated points are used by none. Components are connected through shared points. Boundary
-   * loops are closed chains of edges with one triangle. A non-manifold edge has more than two
-   * triangles; a non-manifold vertex has several fans and no such edge. Dropped faces have fewer
-   * than three distinct points, degenerate faces near-zero area; duplicate faces use the points of
-   * an earlier face. Coincident points have the coordinates of an earlier point; coincident
-   * boundary points are those that the warning counts.
+   * Returns the items of the mesh report as a table with one row; numbers of a surface are zero
+   * without one. The next call replaces the table. Columns:
+   *  - NumberOfPoints, NumberOfTriangles: triangles are those in use;
+   *  - NumberOfComponents: connected through shared points;
+   *  - NumberOfBoundaryEdges, NumberOfBoundaryLoops: loops are closed chains of edges with one
+   *    triangle;
+   *  - Orientable: 1 if the surface can be oriented consistently, else 0;
+   *  - Genus: total of the components; -1 with non-manifold edges or without an orientation;
+   *  - NumberOfNonManifoldEdges, with more than two triangles; NumberOfNonManifoldVertices, with
+   *    several fans and no such edge;
+   *  - NumberOfDroppedFaces, with fewer than three distinct points; NumberOfDegenerateFaces, of
+   *    near-zero area; NumberOfDuplicateFaces, on the points of an earlier face;
+   *  - NumberOfIsolatedPoints, which no triangle uses; NumberOfCoincidentPoints, with the
+   *    coordinates of an earlier point; NumberOfCoincidentBoundaryPoints, those that the warning
+   *    counts; NumberOfMergedPoints;
+   *  - Mollification: length added to edges of triangles of near-zero area, in units of the
+   *    coordinates;
+   *  - LargestCapHeight: largest height of removed triangles of near-zero area, stacked triangles
+   *    added up, in units of the coordinates. The surface has moved by at most this height;
+   *  - MeanAnisotropy, MedianAnisotropy: see GetMeanAnisotropy().
    */
-  vtkIdType GetNumberOfTriangles() const;
-  vtkIdType GetNumberOfIsolatedPoints() const;
-  vtkIdType GetNumberOfComponents() const;
-  vtkIdType GetNumberOfBoundaryEdges() const;
-  vtkIdType GetNumberOfBoundaryLoops() const;
-  vtkIdType GetNumberOfNonManifoldEdges() const;
-  vtkIdType GetNumberOfNonManifoldVertices() const;
-  vtkIdType GetNumberOfDroppedFaces() const;
-  vtkIdType GetNumberOfDegenerateFaces() const;
-  vtkIdType GetNumberOfDuplicateFaces() const;
-  vtkIdType GetNumberOfCoincidentPoints() const;
-  vtkIdType GetNumberOfCoincidentBoundaryPoints() const;
-  ///@}
+  vtkTable* GetMeshReportTable();
 
   /**
-   * Returns true if the surface can be oriented consistently.
-   */
-  bool GetOrientable() const;
-
-  /**
-   * Returns the total genus of the components; -1 with non-manifold edges or without a consistent
-   * orientation.
-   */
-  vtkIdType GetGenus() const;
-
-  ///@{
-  /**
-   * Area-weighted mean and median of longest edge * perimeter / (4 sqrt(3) area) over the
-   * triangles: 1 if all are equilateral. Above a mean of 2, much of the surface is covered by long
-   * triangles.
+   * Returns the area-weighted mean of longest edge * perimeter / (4 sqrt(3) area) over the
+   * triangles: 1 if all are equilateral. Above 2, much of the surface is covered by long triangles.
    */
   double GetMeanAnisotropy() const;
-  double GetMedianAnisotropy() const;
-  ///@}
-
-  /**
-   * Returns the length added to edges of triangles of near-zero area, in units of the coordinates;
-   * 0 if there are none.
-   */
-  double GetMollification() const;
-
-  /**
-   * Returns the largest height of removed triangles of near-zero area, stacked triangles added up,
-   * in units of the coordinates; 0 if there are none. The surface has moved by at most this height.
-   */
-  double GetLargestCapHeight() const;
 
   /**
    * Returns the time stamp of the mesh that is kept between updates.

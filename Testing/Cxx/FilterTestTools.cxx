@@ -11,6 +11,8 @@
 #include "vtkMath.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
+#include "vtkTable.h"
+#include "vtkVariant.h"
 
 #include <gtest/gtest.h>
 
@@ -233,6 +235,13 @@ std::string DescribeGeometry(vtkPolyData* output)
     os << "\n";
   }
   return os.str();
+}
+
+double GetReported(vtkGeodesicAlgorithm* filter, const char* name)
+{
+  vtkTable* table = filter->GetMeshReportTable();
+  EXPECT_NE(table->GetColumnByName(name), nullptr) << name;
+  return table->GetValueByName(0, name).ToDouble();
 }
 
 std::vector<double> GetDistances(vtkGeodesicDistanceAlgorithm* filter)

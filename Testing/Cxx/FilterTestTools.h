@@ -58,6 +58,9 @@ vtkSmartPointer<vtkPolyData> Beside(vtkPolyData* first, vtkPolyData* second, dou
 /// Returns points and cells as text.
 std::string DescribeGeometry(vtkPolyData* output);
 
+/// Returns a number of the filter's mesh report by its column.
+double GetReported(vtkGeodesicAlgorithm* filter, const char* name);
+
 /// Returns the distances in the output; empty if they are missing.
 std::vector<double> GetDistances(vtkGeodesicDistanceAlgorithm* filter);
 std::vector<int> GetNearestSources(vtkGeodesicDistanceAlgorithm* filter);

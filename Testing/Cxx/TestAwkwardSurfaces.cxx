@@ -91,8 +91,8 @@ TEST(AwkwardSurfaces, NonManifoldEdgeConducts)
     { { 0, 1, 4, 3 }, { 1, 2, 5, 4 }, { 1, 4, 7, 6 } });
   const auto filter = MakeExact(surface, 0);
   ExpectWarning(filter, { "1 edges with more than two triangles" });
-  EXPECT_EQ(filter->GetNumberOfNonManifoldEdges(), 1);
-  EXPECT_EQ(filter->GetGenus(), -1);
+  EXPECT_EQ(GetReported(filter, "NumberOfNonManifoldEdges"), 1);
+  EXPECT_EQ(GetReported(filter, "Genus"), -1);
   EXPECT_NE(filter->GetMeshReport().find("genus: undefined\n"), std::string::npos);
   const auto distances = GetDistances(filter);
   EXPECT_NEAR(distances[5], std::sqrt(5.0), 1e-12); // straight across
@@ -115,8 +115,8 @@ TEST(AwkwardSurfaces, DuplicateTriangles)
   surface->GetPolys()->InsertNextCell(3, copy);
   const auto filter = MakeExact(surface, 0);
   ExpectWarning(filter, { "1 triangles on the same three points as an earlier one" });
-  EXPECT_EQ(filter->GetNumberOfDuplicateFaces(), 1);
-  EXPECT_EQ(filter->GetNumberOfNonManifoldEdges(), 0);
+  EXPECT_EQ(GetReported(filter, "NumberOfDuplicateFaces"), 1);
+  EXPECT_EQ(GetReported(filter, "NumberOfNonManifoldEdges"), 0);
   ExpectEuclidean(filter, surface);
 }
 
@@ -143,8 +143,8 @@ TEST(AwkwardSurfaces, DuplicatesHaveNoBoundary)
   }
   const auto filter = MakeExact(MakeSurface(points, cells), 0);
   ExpectWarning(filter, { "8 triangles on the same three points as an earlier one" });
-  EXPECT_EQ(filter->GetNumberOfCoincidentBoundaryPoints(), 0);
-  EXPECT_EQ(filter->GetNumberOfBoundaryEdges(), 0);
+  EXPECT_EQ(GetReported(filter, "NumberOfCoincidentBoundaryPoints"), 0);
+  EXPECT_EQ(GetReported(filter, "NumberOfBoundaryEdges"), 0);
 }
 
 TEST(AwkwardSurfaces, PolygonsWithFewerThanThreePointsAreDropped)
@@ -157,8 +157,8 @@ TEST(AwkwardSurfaces, PolygonsWithFewerThanThreePointsAreDropped)
   }
   const auto filter = MakeExact(surface, 0);
   ExpectWarning(filter, { "7 polygons with fewer than three distinct points" });
-  EXPECT_EQ(filter->GetNumberOfDroppedFaces(), 7);
-  EXPECT_EQ(filter->GetNumberOfTriangles(), 18);
+  EXPECT_EQ(GetReported(filter, "NumberOfDroppedFaces"), 7);
+  EXPECT_EQ(GetReported(filter, "NumberOfTriangles"), 18);
   ExpectEuclidean(filter, surface);
   EXPECT_EQ(filter->GetOutput()->GetNumberOfCells(), 25); // all cells are passed through
 }
@@ -169,15 +169,15 @@ TEST(AwkwardSurfaces, SeamsAreCountedAndMerged)
   const auto filter = MakeExact(surface, 0);
   filter->GenerateNearestSourceOn();
   ExpectWarning(filter, { "8 points of the boundary", "MergeCoincidentPoints" });
-  EXPECT_EQ(filter->GetNumberOfCoincidentPoints(), 4);
-  EXPECT_EQ(filter->GetNumberOfCoincidentBoundaryPoints(), 8);
-  EXPECT_EQ(filter->GetNumberOfComponents(), 2);
+  EXPECT_EQ(GetReported(filter, "NumberOfCoincidentPoints"), 4);
+  EXPECT_EQ(GetReported(filter, "NumberOfCoincidentBoundaryPoints"), 8);
+  EXPECT_EQ(GetReported(filter, "NumberOfComponents"), 2);
   EXPECT_TRUE(std::isnan(GetDistances(filter)[23]));
 
   filter->MergeCoincidentPointsOn();
   ExpectSuccess(filter);
-  EXPECT_EQ(filter->GetNumberOfComponents(), 1);
-  EXPECT_EQ(filter->GetNumberOfIsolatedPoints(), 0);
+  EXPECT_EQ(GetReported(filter, "NumberOfComponents"), 1);
+  EXPECT_EQ(GetReported(filter, "NumberOfIsolatedPoints"), 0);
   EXPECT_NE(filter->GetMeshReport().find("merged points: 4\n"), std::string::npos);
   EXPECT_EQ(filter->GetOutput()->GetPoints(), surface->GetPoints());
   EXPECT_EQ(filter->GetOutput()->GetPolys(), surface->GetPolys());
@@ -236,9 +236,9 @@ TEST(AwkwardSurfaces, GapsAreReportedAndMerged)
   ExpectWarning(filter, { "only 3 of", "raise MergeTolerance to 1e-06" });
   filter->SetMergeTolerance(1e-6);
   ExpectSuccess(filter);
-  EXPECT_EQ(filter->GetNumberOfComponents(), 1);
-  EXPECT_EQ(filter->GetNumberOfBoundaryLoops(), 1);
-  EXPECT_EQ(filter->GetNumberOfIsolatedPoints(), 0);
+  EXPECT_EQ(GetReported(filter, "NumberOfComponents"), 1);
+  EXPECT_EQ(GetReported(filter, "NumberOfBoundaryLoops"), 1);
+  EXPECT_EQ(GetReported(filter, "NumberOfIsolatedPoints"), 0);
   ExpectEuclidean(filter, soup, 1e-5);
   const vtkMTimeType built = filter->GetMeshBuildTime();
   filter->SetMergeTolerance(1e-5);
@@ -289,8 +289,8 @@ TEST(AwkwardSurfaces, IsolatedPoints)
   filter->GenerateNearestSourceOn();
   filter->AddSourceId(0);
   ExpectSuccess(filter);
-  EXPECT_EQ(filter->GetNumberOfIsolatedPoints(), 2);
-  EXPECT_EQ(filter->GetNumberOfComponents(), 1);
+  EXPECT_EQ(GetReported(filter, "NumberOfIsolatedPoints"), 2);
+  EXPECT_EQ(GetReported(filter, "NumberOfComponents"), 1);
   EXPECT_TRUE(std::isnan(GetDistances(filter)[9]));
   EXPECT_EQ(GetNearestSources(filter)[9], -1);
 

@@ -148,7 +148,7 @@ TEST_F(BadInput, PointsThatAreNotFiniteAndNotUsed)
     auto distances = GetDistances(this->Filter);
     ASSERT_EQ(distances.size(), 17u);
     EXPECT_TRUE(std::isnan(distances.back()));
-    EXPECT_EQ(this->Filter->GetNumberOfIsolatedPoints(), 1);
+    EXPECT_EQ(GetReported(this->Filter, "NumberOfIsolatedPoints"), 1);
     distances.pop_back();
     EXPECT_EQ(distances, this->Expected);
     // Sources on port 1 are not affected.

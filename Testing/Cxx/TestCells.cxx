@@ -54,8 +54,8 @@ TEST_F(CellKinds, StripsThatRepeatPoints)
   auto grid = MakeGrid(2, 2, GridCells::Strips);
   grid->SetStrips(MakeCells({ { 3, 0, 4, 1, 5, 2, 2, 6, 6, 3, 7, 4, 8, 5 } }));
   const auto distances = this->Solve(grid, 0);
-  EXPECT_EQ(this->Filter->GetNumberOfTriangles(), 8);
-  EXPECT_EQ(this->Filter->GetNumberOfDroppedFaces(), 0);
+  EXPECT_EQ(GetReported(this->Filter, "NumberOfTriangles"), 8);
+  EXPECT_EQ(GetReported(this->Filter, "NumberOfDroppedFaces"), 0);
   EXPECT_NEAR(distances[8], std::sqrt(8.0), 1e-12);
 }
 
@@ -68,7 +68,7 @@ TEST_F(CellKinds, MixedKindsAndIdsOfCells)
   surface->SetLines(MakeCells({ { 0, 6 } })); // a shortcut that must not be used
   surface->SetStrips(MakeCells({ { 1, 2, 4, 5 } }));
   this->ExpectEuclidean(surface, 0);
-  EXPECT_EQ(this->Filter->GetNumberOfTriangles(), 5);
+  EXPECT_EQ(GetReported(this->Filter, "NumberOfTriangles"), 5);
   EXPECT_EQ(this->Filter->GetOutput()->GetNumberOfCells(), surface->GetNumberOfCells());
 }
 
@@ -79,7 +79,7 @@ TEST_F(CellKinds, LinesDoNotConduct)
   surface->SetLines(MakeCells({ { 1, 3 } }));
   const auto distances = this->Solve(surface, 0);
   EXPECT_TRUE(std::isnan(distances[3]));
-  EXPECT_EQ(this->Filter->GetNumberOfIsolatedPoints(), 1);
+  EXPECT_EQ(GetReported(this->Filter, "NumberOfIsolatedPoints"), 1);
 }
 
 TEST_F(CellKinds, ConvexPolygon)

@@ -88,8 +88,8 @@ protected:
   /// Returns a bound on the length that mollification adds to a path; 0 without degenerate faces.
   static double GetSlack(vtkDGGPath* filter)
   {
-    return 10.0 * static_cast<double>(filter->GetNumberOfDegenerateFaces()) *
-      filter->GetMollification();
+    return 10.0 * GetReported(filter, "NumberOfDegenerateFaces") *
+      GetReported(filter, "Mollification");
   }
 
   vtkSmartPointer<vtkPolyData> Surface;
@@ -158,7 +158,7 @@ TEST_P(ExtraPaths, ExactOnesAreAsLongAsTheDistance)
       ++compared;
     }
   }
-  if (filter->GetNumberOfComponents() == 1)
+  if (GetReported(filter, "NumberOfComponents") == 1)
   {
     EXPECT_EQ(compared, EndsPerStart / 2);
   }

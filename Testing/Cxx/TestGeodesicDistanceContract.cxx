@@ -84,17 +84,17 @@ TEST(GeodesicDistanceContract, MeshReport)
   filter->SetInputData(MakeGrid(4, 3));
   filter->AddSourceId(0);
   ExpectSuccess(filter);
-  EXPECT_EQ(filter->GetNumberOfTriangles(), 24);
-  EXPECT_EQ(filter->GetNumberOfComponents(), 1);
-  EXPECT_EQ(filter->GetNumberOfBoundaryLoops(), 1);
-  EXPECT_EQ(filter->GetNumberOfBoundaryEdges(), 14);
-  EXPECT_EQ(filter->GetGenus(), 0);
-  EXPECT_TRUE(filter->GetOrientable());
+  EXPECT_EQ(GetReported(filter, "NumberOfTriangles"), 24);
+  EXPECT_EQ(GetReported(filter, "NumberOfComponents"), 1);
+  EXPECT_EQ(GetReported(filter, "NumberOfBoundaryLoops"), 1);
+  EXPECT_EQ(GetReported(filter, "NumberOfBoundaryEdges"), 14);
+  EXPECT_EQ(GetReported(filter, "Genus"), 0);
+  EXPECT_EQ(GetReported(filter, "Orientable"), 1);
   // Half a unit square: longest edge sqrt 2, perimeter 2 + sqrt 2, area 1/2.
   const double tau = std::sqrt(2.0) * (2.0 + std::sqrt(2.0)) / (2.0 * std::sqrt(3.0));
   EXPECT_NEAR(filter->GetMeanAnisotropy(), tau, 1e-12);
-  EXPECT_NEAR(filter->GetMedianAnisotropy(), tau, 1e-12);
-  EXPECT_EQ(filter->GetMollification(), 0.0);
+  EXPECT_NEAR(GetReported(filter, "MedianAnisotropy"), tau, 1e-12);
+  EXPECT_EQ(GetReported(filter, "Mollification"), 0.0);
   const std::string report = filter->GetMeshReport();
   for (const char* line : { "points: 20\n", "triangles: 24\n", "components: 1\n",
          "boundary loops: 1\n", "boundary edges: 14\n", "genus: 0\n", "orientable: yes\n",

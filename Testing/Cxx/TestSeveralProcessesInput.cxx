@@ -102,9 +102,9 @@ TEST_F(SeveralProcesses, PiecesOfASource)
   this->Update(filter);
   if (this->IsFirst())
   {
-    EXPECT_EQ(filter->GetNumberOfBoundaryEdges(), 0);
-    EXPECT_EQ(filter->GetGenus(), 0);
-    EXPECT_EQ(filter->GetNumberOfComponents(), 1);
+    EXPECT_EQ(GetReported(filter, "NumberOfBoundaryEdges"), 0);
+    EXPECT_EQ(GetReported(filter, "Genus"), 0);
+    EXPECT_EQ(GetReported(filter, "NumberOfComponents"), 1);
   }
 }
 

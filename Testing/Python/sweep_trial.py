@@ -103,9 +103,12 @@ class Trial:
             algorithm.SetMergeCoincidentPoints(self.surface.merge)
         with self.timer:
             output = vtkdgg.check(algorithm)
-        if hasattr(algorithm, "GetMollification"):
-            self.lengthened = max(self.lengthened, algorithm.GetMollification())
-            self.moved = max(self.moved, algorithm.GetLargestCapHeight())
+        if hasattr(algorithm, "GetMeshReportTable"):
+            report = algorithm.GetMeshReportTable()
+            added = report.GetColumnByName("Mollification").GetValue(0)
+            height = report.GetColumnByName("LargestCapHeight").GetValue(0)
+            self.lengthened = max(self.lengthened, added)
+            self.moved = max(self.moved, height)
         return output
 
     def expect(self, holds, text):

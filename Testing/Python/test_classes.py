@@ -206,7 +206,10 @@ class Objects(unittest.TestCase):
         self.assertEqual(distance.GetMeshReport(), "no surface\n")
         vtkdgg.check(distance)
         self.assertIn("triangles: 32\n", distance.GetMeshReport())
-        self.assertIs(distance.GetOrientable(), True)
+        table = distance.GetMeshReportTable()
+        self.assertEqual(table.GetNumberOfRows(), 1)
+        self.assertEqual(table.GetColumnByName("Orientable").GetValue(0), 1)
+        self.assertEqual(table.GetColumnByName("NumberOfTriangles").GetValue(0), 32)
         for word in ("Accuracy: 0.01", "OneRelay", "NumberOfGraphEdges: 0"):
             self.assertIn(word, str(graph))
 

@@ -452,6 +452,39 @@ const Anisotropy& PreparedSurface::GetAnisotropy() const
 }
 
 //------------------------------------------------------------------------------
+std::vector<ReportItem> PreparedSurface::ListReport() const
+{
+  const MeshReport& report = this->GetReport();
+  const auto item = [](const char* name, const char* words, auto value) {
+    return ReportItem{ name, words, static_cast<double>(value), JoinText(value) };
+  };
+  return {
+    item("NumberOfPoints", "points", report.Vertices),
+    item("NumberOfTriangles", "triangles", report.Faces),
+    item("NumberOfComponents", "components", report.Components),
+    item("NumberOfBoundaryLoops", "boundary loops", report.BoundaryLoops),
+    item("NumberOfBoundaryEdges", "boundary edges", report.BoundaryEdges),
+    { "Orientable", "orientable", report.Orientable ? 1.0 : 0.0, report.Orientable ? "yes" : "no" },
+    { "Genus", "genus", static_cast<double>(report.Genus),
+      report.Genus < 0 ? "undefined" : std::to_string(report.Genus) },
+    item("NumberOfNonManifoldEdges", "non-manifold edges", report.NonManifoldEdges),
+    item("NumberOfNonManifoldVertices", "non-manifold vertices", report.NonManifoldVertices),
+    item("NumberOfDroppedFaces", "dropped faces", this->NumberOfDroppedCells),
+    item("NumberOfDegenerateFaces", "degenerate faces", report.DegenerateFaces),
+    item("NumberOfDuplicateFaces", "duplicate faces", report.DuplicateFaces),
+    item("NumberOfIsolatedPoints", "isolated points", this->GetNumberOfIsolatedPoints()),
+    item("NumberOfCoincidentPoints", "coincident points", report.CoincidentPoints),
+    item("NumberOfCoincidentBoundaryPoints", "coincident boundary points",
+      this->NumberOfCoincidentBoundaryPoints),
+    item("NumberOfMergedPoints", "merged points", this->NumberOfMergedPoints),
+    item("Mollification", "length added to degenerate faces", report.Mollification),
+    item("LargestCapHeight", "height of degenerate faces left out", this->GetLargestCapHeight()),
+    item("MeanAnisotropy", "mean anisotropy", report.MeanAnisotropy),
+    item("MedianAnisotropy", "median anisotropy", report.MedianAnisotropy),
+  };
+}
+
+//------------------------------------------------------------------------------
 const Locator& PreparedSurface::GetLocator() const
 {
   std::call_once(this->LocatorOnce, [this] {

@@ -60,6 +60,15 @@ struct Domain
   }
 };
 
+/// An item of the report on a surface.
+struct ReportItem
+{
+  const char* Name;  ///< identifier, such as "NumberOfTriangles"
+  const char* Words; ///< readable name, such as "triangles"
+  double Value;
+  std::string Text; ///< readable value, such as "yes"
+};
+
 /// A surface, or a cloud, as the kernel sees it. Every point of the input is a vertex of the mesh,
 /// with the same id. Polygons and strips are triangulated. The mesh of a cloud has no faces; a
 /// graph connects its points.
@@ -97,6 +106,9 @@ public:
   const Anisotropy& GetAnisotropy() const;
   const Locator& GetLocator() const;
   ///@}
+  /// Returns size, defects and quality of the surface. An empty surface has zeros, and is
+  /// orientable.
+  std::vector<ReportItem> ListReport() const;
   /// Coordinates x y z per vertex.
   const double* GetPositions() const { return this->Positions.data(); }
   /// Signature of the points and triangles.

@@ -62,31 +62,39 @@ def add_arguments(parser, shared):
     )
 
 
+def counts_of(distance):
+    """Returns a function that returns an integer of the mesh report by its name."""
+    report = distance.GetMeshReportTable()
+    return lambda name: int(report.GetColumnByName(name).GetValue(0))
+
+
 def defects_of(distance):
     """Returns a line that counts the defects of the mesh."""
-    others = [] if distance.GetOrientable() else ["no consistent orientation"]
+    count = counts_of(distance)
+    others = [] if count("Orientable") else ["no consistent orientation"]
     return defects(
         others,
-        (distance.GetNumberOfNonManifoldEdges(), "non-manifold edge"),
-        (distance.GetNumberOfNonManifoldVertices(), "non-manifold vertex", "non-manifold vertices"),
+        (count("NumberOfNonManifoldEdges"), "non-manifold edge"),
+        (count("NumberOfNonManifoldVertices"), "non-manifold vertex", "non-manifold vertices"),
         (
-            distance.GetNumberOfDroppedFaces(),
+            count("NumberOfDroppedFaces"),
             "face with repeated points",
             "faces with repeated points",
         ),
-        (distance.GetNumberOfDegenerateFaces(), "triangle without area", "triangles without area"),
-        (distance.GetNumberOfDuplicateFaces(), "duplicate triangle"),
-        (distance.GetNumberOfCoincidentPoints(), "coincident point"),
-        (distance.GetNumberOfIsolatedPoints(), "isolated point"),
+        (count("NumberOfDegenerateFaces"), "triangle without area", "triangles without area"),
+        (count("NumberOfDuplicateFaces"), "duplicate triangle"),
+        (count("NumberOfCoincidentPoints"), "coincident point"),
+        (count("NumberOfIsolatedPoints"), "isolated point"),
     )
 
 
 def topology(distance):
     """Returns a line on components, boundary and genus."""
-    genus = distance.GetGenus()
+    count = counts_of(distance)
+    genus = count("Genus")
     return (
-        f"components {distance.GetNumberOfComponents()}, "
-        f"boundary loops {distance.GetNumberOfBoundaryLoops()}, "
+        f"components {count('NumberOfComponents')}, "
+        f"boundary loops {count('NumberOfBoundaryLoops')}, "
         + (f"genus {genus}" if genus >= 0 else "no genus")
     )
 
