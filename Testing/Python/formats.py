@@ -209,7 +209,7 @@ def compare(mesh, points, cells, values):
 
 
 def truncation(path, contents, whole):
-    """Returns true if every cut file is refused with its name, causes a warning or has all polygons;
+    """Returns true if each cut file is refused with its name, causes a warning or has all polygons;
     otherwise a text with the position of a cut and the message or mesh."""
     contents = contents if isinstance(contents, bytes) else contents.encode()
     extension = os.path.splitext(path)[1]

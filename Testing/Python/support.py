@@ -201,7 +201,7 @@ def length_of(points):
 
 
 def pixels(path):
-    """Returns the colors of a PNG file: integers of shape (height, width, 3), the lowest row first."""
+    """Returns the colors of a PNG file: integers of shape (height, width, 3), from the bottom."""
     image = read_image(path)
     width, height, _ = image.GetDimensions()
     colors = vtk_to_numpy(image.GetPointData().GetScalars()).reshape(height, width, -1)

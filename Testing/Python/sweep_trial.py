@@ -134,7 +134,7 @@ class Trial:
         self.expect_most(np.abs(found - true), relative * true + self.slack(true), text)
 
     def slack(self, distance):
-        """Returns the error of an exact distance by rounding and by changed or skipped triangles."""
+        """Returns the error of exact distances by rounding and by changed or skipped triangles."""
         changed = 4 * self.lengthened + 2 * self.moved
         return EXACT * np.abs(distance) + self.surface.rounding + changed
 

@@ -135,7 +135,8 @@ class Examples(unittest.TestCase):
     def test_isolines(self):
         said, colors = self.draw("isolines.py", "PICTURE")
         rows = re.findall(r"([\w ]+): (\d+) lines of (\d+) points, (\d+) ridges\n", said)
-        self.assertEqual({row[0] for row in rows}, {"linear", "Apollonius", "local sources", "exact"})
+        names = {"linear", "Apollonius", "local sources", "exact"}
+        self.assertEqual({row[0] for row in rows}, names)
         self.assertEqual(len(rows), 8, said)
         # One source on a smooth surface: one line each.
         self.assertEqual([row[1] for row in rows[:4]], ["14"] * 4)

@@ -172,9 +172,10 @@ class FromPolydata(support.Test):
     def test_no_graph(self):
         with_graph = vtkPolyData()
         with_graph.SetFieldData(self.mesh.GetFieldData())
+        mesh = support.polydata(self.points, self.triangles)
         self.refuse(
             vtkdgg.Graph.from_polydata,
-            ((support.polydata(self.points, self.triangles),), "no graph.*vtkDiscreteGeodesicGraph"),
+            ((mesh,), "no graph.*vtkDiscreteGeodesicGraph"),
             ((vtkPolyData(),), "no graph"),
             ((with_graph,), "points: expected at least one"),
         )
