@@ -92,7 +92,7 @@ vtkTable* vtkGeodesicAlgorithm::GetMeshReportTable()
 //------------------------------------------------------------------------------
 double vtkGeodesicAlgorithm::GetMeanAnisotropy() const
 {
-  return this->Internals->GetMesh().Get().GetAnisotropy().Mean;
+  return this->Internals->GetMesh().Get().GetMeanAnisotropy();
 }
 
 //------------------------------------------------------------------------------

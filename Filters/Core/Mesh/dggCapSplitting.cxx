@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggCapSplitting.h"
 
+#include "dggPoint3.h"
 #include "dggUnfolding.h"
 
 #include <algorithm>
@@ -96,54 +97,83 @@ private:
       this->Length(a, b);
   }
 
-  /// Finds all caps of the input and its mean edge length, reading each length once.
+  /// Returns the lengths of the edges opposite to the corners of a triangle.
+  std::array<double, 3> GetOpposite(Id f) const
+  {
+    const Triangle t = this->Get(f);
+    return { { this->Length(t[1], t[2]), this->Length(t[2], t[0]), this->Length(t[0], t[1]) } };
+  }
+
+  /// Returns the two shorter edges minus the longest, given in ascending order.
+  static double GetSlack(const std::array<double, 3>& sorted)
+  {
+    return sorted[0] - (sorted[2] - sorted[1]);
+  }
+
+  /// Returns false if no angle of a triangle exceeds 120 degrees: its slack is then at least a
+  /// quarter of its shortest edge, too much for a cap. Raises `longest` to its largest squared
+  /// length.
+  bool IsVeryObtuse(Id f, double& longest) const
+  {
+    const Triangle t = this->Get(f);
+    const Point3 p = PointAt(this->Points, t[0]);
+    const Point3 q = PointAt(this->Points, t[1]);
+    const Point3 r = PointAt(this->Points, t[2]);
+    const double a = Dot(q - p, q - p);
+    const double b = Dot(r - q, r - q);
+    const double c = Dot(p - r, p - r);
+    const double largest = std::max({ a, b, c });
+    const double middle = std::max(std::min(a, b), std::min(std::max(a, b), c));
+    const double smallest = std::min({ a, b, c });
+    longest = std::max(longest, largest);
+    const double excess = largest - middle - smallest;
+    return !(excess <= 0.0 || excess * excess < smallest * middle);
+  }
+
+  /// Finds all caps of the input. The mean edge length is only needed if a slack is small.
   void FindCaps()
   {
-    std::vector<double> slacks;
-    slacks.reserve(this->Parents.size());
-    double sum = 0.0;
+    std::vector<Id> obtuse;
     double longest = 0.0;
     for (Id f = 0; f < this->GetNumberOfTriangles(); ++f)
     {
-      const Triangle t = this->Get(f);
-      const double a = this->Length(t[0], t[1]);
-      const double b = this->Length(t[1], t[2]);
-      const double c = this->Length(t[2], t[0]);
-      sum += a + b + c;
-      const double largest = std::max({ a, b, c });
-      const double middle = std::max(std::min(a, b), std::min(std::max(a, b), c));
-      slacks.push_back(std::min({ a, b, c }) - (largest - middle));
-      longest = std::max(longest, largest);
-    }
-    this->MeanEdge = sum / static_cast<double>(std::max<std::size_t>(1, this->Triangles.size()));
-    // Upper bound of the tolerances of all triangles.
-    const double tolerance = DegeneracySlack * std::max(this->MeanEdge, longest);
-    for (Id f = 0; f < this->GetNumberOfTriangles(); ++f)
-    {
-      if (slacks[f] < tolerance)
+      if (this->IsVeryObtuse(f, longest))
       {
-        this->NoteCap(f);
+        obtuse.push_back(f);
       }
     }
+    // Upper bound of the tolerances of all triangles.
+    const double tolerance = 2.0 * DegeneracySlack * std::sqrt(longest);
+    const auto isNoCap = [&](Id f) {
+      std::array<double, 3> lengths = this->GetOpposite(f);
+      std::sort(lengths.begin(), lengths.end());
+      return GetSlack(lengths) >= tolerance;
+    };
+    obtuse.erase(std::remove_if(obtuse.begin(), obtuse.end(), isNoCap), obtuse.end());
+    if (obtuse.empty())
+    {
+      return;
+    }
+    double sum = 0.0;
+    for (Id f = 0; f < this->GetNumberOfTriangles(); ++f)
+    {
+      const std::array<double, 3> lengths = this->GetOpposite(f);
+      sum += lengths[2] + lengths[0] + lengths[1];
+    }
+    this->MeanEdge = sum / static_cast<double>(this->Triangles.size());
+    std::for_each(obtuse.begin(), obtuse.end(), [this](Id f) { this->NoteCap(f); });
   }
 
   /// Returns the corner on the opposite edge; -1 if there is none.
   int FindApex(Id f) const
   {
-    const Triangle t = this->Get(f);
-    std::array<double, 3> opposite{};
-    for (int k = 0; k < 3; ++k)
-    {
-      opposite[k] = this->Length(t[(k + 1) % 3], t[(k + 2) % 3]);
-    }
-    const int apex =
-      static_cast<int>(std::max_element(opposite.begin(), opposite.end()) - opposite.begin());
-    const double longest = opposite[apex];
-    const auto others = std::minmax(opposite[(apex + 1) % 3], opposite[(apex + 2) % 3]);
-    const double tolerance = DegeneracySlack * std::max(this->MeanEdge, longest);
-    const bool isCap = others.first - (longest - others.second) < tolerance &&
-      others.first > ShortestEdge * tolerance;
-    return isCap ? apex : -1;
+    const std::array<double, 3> opposite = this->GetOpposite(f);
+    std::array<double, 3> sorted = opposite;
+    std::sort(sorted.begin(), sorted.end());
+    const double tolerance = DegeneracySlack * std::max(this->MeanEdge, sorted[2]);
+    const bool isCap = GetSlack(sorted) < tolerance && sorted[0] > ShortestEdge * tolerance;
+    const auto apex = std::max_element(opposite.begin(), opposite.end()) - opposite.begin();
+    return isCap ? static_cast<int>(apex) : -1;
   }
 
   void NoteCap(Id f)

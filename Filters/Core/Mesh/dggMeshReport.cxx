@@ -118,6 +118,37 @@ Offset CountBoundaryLoops(const SurfaceMesh& mesh, FanCounter& fans)
   return std::count_if(boundary.begin(), boundary.end(), [&](Id h) { return loops.Find(h) == h; });
 }
 
+/// Calls `visit(product, area)` for the non-degenerate faces; `product / area` is the elongation.
+template <typename Visitor>
+void ForEachElongation(const SurfaceMesh& mesh, Visitor&& visit)
+{
+  for (Id f = 0; f < mesh.GetNumberOfFaces(); ++f)
+  {
+    if (!mesh.IsDropped(f) && !mesh.IsDegenerate(f))
+    {
+      const double a = mesh.Length(3 * f);
+      const double b = mesh.Length(3 * f + 1);
+      const double c = mesh.Length(3 * f + 2);
+      const double product = std::max({ a, b, c }) * (a + b + c) / (4.0 * std::sqrt(3.0));
+      visit(product, TriangleArea(a, b, c));
+    }
+  }
+}
+
+double MeasureMedianAnisotropy(const SurfaceMesh& mesh)
+{
+  std::vector<double> elongations;
+  ForEachElongation(
+    mesh, [&](double product, double area) { elongations.push_back(product / area); });
+  if (elongations.empty())
+  {
+    return 0.0;
+  }
+  const auto middle = elongations.begin() + static_cast<std::ptrdiff_t>(elongations.size() / 2);
+  std::nth_element(elongations.begin(), middle, elongations.end());
+  return *middle;
+}
+
 /// Returns a hash of the bits of a point; -0 equals +0.
 std::uint64_t HashPoint(const double* p)
 {
@@ -134,34 +165,15 @@ std::uint64_t HashPoint(const double* p)
 }
 }
 
-Anisotropy MeasureAnisotropy(const SurfaceMesh& mesh)
+double MeasureMeanAnisotropy(const SurfaceMesh& mesh)
 {
-  std::vector<double> taus;
-  taus.reserve(static_cast<std::size_t>(mesh.GetNumberOfFaces()));
   double sum = 0.0;
-  double area = 0.0;
-  for (Id f = 0; f < mesh.GetNumberOfFaces(); ++f)
-  {
-    if (mesh.IsDropped(f) || mesh.IsDegenerate(f))
-    {
-      continue;
-    }
-    const double a = mesh.Length(3 * f);
-    const double b = mesh.Length(3 * f + 1);
-    const double c = mesh.Length(3 * f + 2);
-    const double size = TriangleArea(a, b, c);
-    const double product = std::max({ a, b, c }) * (a + b + c) / (4.0 * std::sqrt(3.0));
-    taus.push_back(product / size);
+  double total = 0.0;
+  ForEachElongation(mesh, [&](double product, double area) {
     sum += product;
-    area += size;
-  }
-  if (taus.empty())
-  {
-    return {};
-  }
-  const auto middle = taus.begin() + static_cast<std::ptrdiff_t>(taus.size() / 2);
-  std::nth_element(taus.begin(), middle, taus.end());
-  return { sum / area, *middle };
+    total += area;
+  });
+  return total > 0.0 ? sum / total : 0.0;
 }
 
 Offset CountCoincidentPoints(const double* points, Offset numberOfPoints)
@@ -219,9 +231,8 @@ MeshReport InspectMesh(const SurfaceMesh& mesh, const double* points)
   report.DegenerateFaces = mesh.GetNumberOfDegenerateFaces();
   report.CoincidentPoints = points ? CountCoincidentPoints(points, report.Vertices) : 0;
   report.Mollification = mesh.GetMollification();
-  const Anisotropy anisotropy = MeasureAnisotropy(mesh);
-  report.MeanAnisotropy = anisotropy.Mean;
-  report.MedianAnisotropy = anisotropy.Median;
+  report.MeanAnisotropy = MeasureMeanAnisotropy(mesh);
+  report.MedianAnisotropy = MeasureMedianAnisotropy(mesh);
 
   Id components = 0;
   mesh.ComputeComponents(components);

@@ -31,20 +31,15 @@ struct MeshReport
   /// Total genus over all components, with the fans of non-manifold vertices separated; -1 if a
   /// non-manifold edge exists or the mesh has no orientation.
   Offset Genus = 0;
-  double MeanAnisotropy = 0.0; ///< see Anisotropy
-  double MedianAnisotropy = 0.0;
-  double Mollification = 0.0; ///< length added to the edges of degenerate faces
+  double MeanAnisotropy = 0.0;   ///< see MeasureMeanAnisotropy()
+  double MedianAnisotropy = 0.0; ///< median of the same quantity over the faces
+  double Mollification = 0.0;    ///< length added to the edges of degenerate faces
 };
 
-/// Elongation of triangles: l_max (l1+l2+l3) / (4 sqrt(3) area) over the non-degenerate faces; 1
-/// for equilateral triangles, 0 if all faces are degenerate.
-struct Anisotropy
-{
-  double Mean = 0.0; ///< weighted by area, so that slivers hardly count
-  double Median = 0.0;
-};
-
-DGG_CORE_EXPORT Anisotropy MeasureAnisotropy(const SurfaceMesh& mesh);
+/// Returns the mean elongation of triangles, l_max (l1+l2+l3) / (4 sqrt(3) area), over the
+/// non-degenerate faces, weighted by area, so that slivers hardly count; 1 for equilateral
+/// triangles, 0 if all faces are degenerate.
+DGG_CORE_EXPORT double MeasureMeanAnisotropy(const SurfaceMesh& mesh);
 
 /// Returns the number of points (x y z each) with exactly the coordinates of an earlier one. Points
 /// with a non-finite coordinate are not counted.

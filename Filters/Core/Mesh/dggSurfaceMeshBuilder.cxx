@@ -5,6 +5,7 @@
 #include "dggCapSplitting.h"
 #include "dggEdges.h"
 #include "dggGroups.h"
+#include "dggPoint3.h"
 #include "dggStatus.h"
 #include "dggUnfolding.h"
 
@@ -34,14 +35,6 @@ Id Turned(Id h)
   const Id k = h % 3;
   return h - k + (2 - k);
 }
-
-/// Groups the half-edges of faces that are not dropped by one of their vertices.
-template <typename VertexOf>
-Groups GroupHalfEdges(const SurfaceMesh& mesh, const VertexOf& vertexOf)
-{
-  return MakeGroups(mesh.GetNumberOfHalfEdges(), mesh.GetNumberOfVertices(),
-    [&](Id h) { return mesh.IsDropped(SurfaceMesh::Face(h)) ? NoId : vertexOf(h); });
-}
 }
 
 Status SurfaceMeshBuilder::TakeTriangles(
@@ -55,14 +48,14 @@ Status SurfaceMeshBuilder::TakeTriangles(
       "A mesh of ", numberOfVertices, " points and ", numberOfTriangles, " triangles is too large")
       .Fix("Use at most ", limit, " points and ", limit / 3, " triangles");
   }
-  for (Offset i = 0; i < 3 * numberOfTriangles; ++i)
+  const Id* const end = triangles + 3 * numberOfTriangles;
+  const Id* const wrong = std::find_if(
+    triangles, end, [numberOfVertices](Id v) { return v < 0 || v >= numberOfVertices; });
+  if (wrong != end)
   {
-    if (triangles[i] < 0 || triangles[i] >= numberOfVertices)
-    {
-      return InvalidInput(
-        "Triangle ", i / 3, " refers to point ", triangles[i], ", which does not exist")
-        .Fix("Use ids from 0 to ", numberOfVertices - 1);
-    }
+    return InvalidInput(
+      "Triangle ", (wrong - triangles) / 3, " refers to point ", *wrong, ", which does not exist")
+      .Fix("Use ids from 0 to ", numberOfVertices - 1);
   }
   const auto n = static_cast<std::size_t>(numberOfVertices);
   const auto m = static_cast<std::size_t>(numberOfTriangles);
@@ -87,70 +80,106 @@ void SurfaceMeshBuilder::DropRepeatedVertexFaces()
   }
 }
 
+/// Groups the half-edges of faces that are not dropped by their origins.
+void SurfaceMeshBuilder::GroupByOrigin()
+{
+  const SurfaceMesh& mesh = this->Mesh;
+  const bool isAnyDropped = std::any_of(mesh.FaceFlags.begin(), mesh.FaceFlags.end(),
+    [](std::uint8_t flags) { return (flags & SurfaceMesh::DroppedFlag) != 0; });
+  this->Outgoing = isAnyDropped
+    ? MakeGroups(mesh.GetNumberOfHalfEdges(), mesh.GetNumberOfVertices(),
+        [&](Id h) { return mesh.IsDropped(SurfaceMesh::Face(h)) ? NoId : mesh.Origin(h); })
+    : MakeGroups(mesh.Origins, mesh.VertexFlags.size());
+}
+
 void SurfaceMeshBuilder::GlueByVertices()
 {
   this->DropRepeatedVertexFaces();
+  this->GroupByOrigin();
+  this->AreAllLinked = true;
   const SurfaceMesh& mesh = this->Mesh;
-  // Group the half-edges by their larger vertex, then, in that order, by their smaller one.
-  const auto smaller = [&](Id h) { return std::min(mesh.Origin(h), mesh.Destination(h)); };
-  const auto larger = [&](Id h) { return std::max(mesh.Origin(h), mesh.Destination(h)); };
-  const std::vector<Id> grouped = GroupHalfEdges(mesh, larger).Members;
-  std::vector<Id> sorted =
-    MakeGroups(static_cast<Id>(grouped.size()), mesh.GetNumberOfVertices(), [&](Id i) {
-      return smaller(grouped[i]);
-    }).Members;
-  std::transform(sorted.begin(), sorted.end(), sorted.begin(), [&](Id i) { return grouped[i]; });
-  for (auto run = sorted.begin(); run != sorted.end();)
+  this->Spokes.assign(mesh.VertexFlags.size(), Spoke());
+  for (Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
   {
-    const Id low = smaller(*run);
-    const Id high = larger(*run);
-    const auto stop = std::find_if(
-      run + 1, sorted.end(), [&](Id h) { return larger(h) != high || smaller(h) != low; });
-    this->GlueEdge(run, stop);
-    run = stop;
-  }
-  std::sort(this->Mesh.Duplicates.begin(), this->Mesh.Duplicates.end());
-}
-
-/// Links the half-edges of one edge, except those of duplicate faces.
-void SurfaceMeshBuilder::GlueEdge(std::vector<Id>::iterator begin, std::vector<Id>::iterator end)
-{
-  SurfaceMesh& mesh = this->Mesh;
-  if (end - begin == 2 && mesh.Apex(begin[0]) != mesh.Apex(begin[1]))
-  {
-    mesh.Twins[begin[0]] = begin[1];
-    mesh.Twins[begin[1]] = begin[0];
-  }
-  else if (end - begin > 1)
-  {
-    this->DropDuplicates(begin, end);
-    end = std::remove_if(begin, end, [&](Id h) { return mesh.IsDropped(SurfaceMesh::Face(h)); });
-    for (auto it = begin; end - begin > 1 && it != end; ++it)
+    for (Offset i = this->Outgoing.Begins[v]; i < this->Outgoing.Begins[v + 1]; ++i)
     {
-      mesh.Twins[*it] = it + 1 == end ? *begin : *(it + 1);
+      const Id outgoing = this->Outgoing.Members[i];
+      const Id incoming = SurfaceMesh::Previous(outgoing);
+      const Id left = mesh.Origin(incoming);
+      const Id right = mesh.Destination(outgoing);
+      this->Glue(v, right, outgoing, left);
+      this->Glue(v, left, incoming, right);
     }
   }
+  for (const Id edge : this->Crowded)
+  {
+    this->DropDuplicates(edge);
+  }
+  if (!this->Mesh.Duplicates.empty())
+  {
+    std::sort(this->Mesh.Duplicates.begin(), this->Mesh.Duplicates.end());
+    this->GroupByOrigin();
+  }
 }
 
-/// Drops duplicates: faces on the same edge with the same apex have the same three vertices.
-void SurfaceMeshBuilder::DropDuplicates(
-  std::vector<Id>::iterator begin, std::vector<Id>::iterator end)
+/// Appends half-edge h, between v and a larger neighbor, to the circular list of its edge. Call it
+/// vertex by vertex, in the order of half-edges.
+void SurfaceMeshBuilder::Glue(Id v, Id neighbor, Id h, Id apex)
+{
+  if (neighbor < v)
+  {
+    return;
+  }
+  SurfaceMesh& mesh = this->Mesh;
+  Spoke& last = this->Spokes[neighbor];
+  if (last.Smaller == v)
+  {
+    const Id t = last.HalfEdge;
+    const bool isSecond = mesh.Twins[t] == NoId;
+    const Id first = isSecond ? t : mesh.Twins[t];
+    // Once per edge for a third face, once for a duplicate of the first.
+    if (isSecond ? last.Apex == apex : mesh.Twins[first] == t)
+    {
+      this->Crowded.push_back(h);
+    }
+    this->AreAllLinked = this->AreAllLinked && isSecond && mesh.Origin(t) != mesh.Origin(h);
+    mesh.Twins[t] = h;
+    mesh.Twins[h] = first;
+  }
+  last = { v, h, apex };
+}
+
+/// Drops duplicates on an edge: faces on the same edge with the same apex have the same three
+/// vertices. Links the other faces.
+void SurfaceMeshBuilder::DropDuplicates(Id edge)
 {
   SurfaceMesh& mesh = this->Mesh;
-  this->Apexes.clear();
-  std::transform(begin, end, std::back_inserter(this->Apexes),
+  std::vector<Id> halfEdges;
+  ForEachHalfEdge(mesh, edge, [&](Id h) { halfEdges.push_back(h); });
+  std::vector<std::pair<Id, Id>> apexes;
+  std::transform(halfEdges.begin(), halfEdges.end(), std::back_inserter(apexes),
     [&](Id h) { return std::make_pair(mesh.Apex(h), h); });
-  std::sort(this->Apexes.begin(), this->Apexes.end());
+  std::sort(apexes.begin(), apexes.end());
   std::size_t original = 0;
-  for (std::size_t i = 1; i < this->Apexes.size(); ++i)
+  for (std::size_t i = 1; i < apexes.size(); ++i)
   {
-    original = this->Apexes[i].first == this->Apexes[original].first ? original : i;
-    const Id f = SurfaceMesh::Face(this->Apexes[i].second);
+    original = apexes[i].first == apexes[original].first ? original : i;
+    const Id f = SurfaceMesh::Face(apexes[i].second);
     if (original != i && !mesh.IsDuplicate(f))
     {
       mesh.FaceFlags[f] |= SurfaceMesh::DroppedFlag | SurfaceMesh::DuplicateFlag;
-      mesh.Duplicates.push_back({ { f, SurfaceMesh::Face(this->Apexes[original].second) } });
+      mesh.Duplicates.push_back({ { f, SurfaceMesh::Face(apexes[original].second) } });
     }
+  }
+  for (const Id h : halfEdges)
+  {
+    mesh.Twins[h] = NoId;
+  }
+  const auto isDropped = [&](Id h) { return mesh.IsDropped(SurfaceMesh::Face(h)); };
+  halfEdges.erase(std::remove_if(halfEdges.begin(), halfEdges.end(), isDropped), halfEdges.end());
+  for (std::size_t i = 0; halfEdges.size() > 1 && i < halfEdges.size(); ++i)
+  {
+    mesh.Twins[halfEdges[i]] = halfEdges[(i + 1) % halfEdges.size()];
   }
 }
 
@@ -184,6 +213,7 @@ Status SurfaceMeshBuilder::GlueByTwins(const Id* twins)
     }
   }
   this->Mesh.Twins.assign(twins, twins + halfEdges);
+  this->GroupByOrigin();
   return Status::Success();
 }
 
@@ -197,11 +227,46 @@ Status SurfaceMeshBuilder::CheckExtent(double extent, const char* what) const
                                " and ", LargestExtent));
 }
 
+/// Returns the error of the first triangle with a point that is not finite.
+Status SurfaceMeshBuilder::DescribeNotFinite(const double* points) const
+{
+  const SurfaceMesh& mesh = this->Mesh;
+  Id h = 0;
+  while (mesh.IsDropped(SurfaceMesh::Face(h)) || IsFinite(PointAt(points, mesh.Origin(h))))
+  {
+    ++h;
+  }
+  return InvalidInput("Point ", mesh.Origin(h), " of triangle ", SurfaceMesh::Face(h),
+    " has a coordinate that is not finite")
+    .Fix("Correct the point or remove the triangle");
+}
+
 Status SurfaceMeshBuilder::MeasureLengths(const double* points)
 {
   SurfaceMesh& mesh = this->Mesh;
-  double low[3] = { Infinity, Infinity, Infinity };
-  double high[3] = { -Infinity, -Infinity, -Infinity };
+  Point3 low{ Infinity, Infinity, Infinity };
+  Point3 high{ -Infinity, -Infinity, -Infinity };
+  for (Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
+  {
+    if (this->Outgoing.Begins[v] == this->Outgoing.Begins[v + 1])
+    {
+      continue;
+    }
+    const Point3 p = PointAt(points, v);
+    if (!IsFinite(p))
+    {
+      return this->DescribeNotFinite(points);
+    }
+    low = { std::min(low.X, p.X), std::min(low.Y, p.Y), std::min(low.Z, p.Z) };
+    high = { std::max(high.X, p.X), std::max(high.Y, p.Y), std::max(high.Z, p.Z) };
+  }
+  if (high.X < low.X)
+  {
+    return Status::Success(); // all faces are dropped
+  }
+  const Point3 size = high - low;
+  DGG_RETURN_IF_ERROR(
+    this->CheckExtent(std::max({ size.X, size.Y, size.Z }), "The largest extent of the mesh"));
   double longest = 0.0;
   for (Id f = 0; f < mesh.GetNumberOfFaces(); ++f)
   {
@@ -210,33 +275,17 @@ Status SurfaceMeshBuilder::MeasureLengths(const double* points)
       continue;
     }
     const std::array<Id, 3> triangle = mesh.GetTriangle(f);
+    const std::array<Point3, 3> corners{ { PointAt(points, triangle[0]),
+      PointAt(points, triangle[1]), PointAt(points, triangle[2]) } };
     for (int k = 0; k < 3; ++k)
     {
-      const double* p = points + 3 * static_cast<Offset>(triangle[k]);
-      const double* q = points + 3 * static_cast<Offset>(triangle[(k + 1) % 3]);
-      double squares = 0.0; // bitwise identical for both halves of an edge
-      for (int axis = 0; axis < 3; ++axis)
-      {
-        if (!std::isfinite(p[axis]))
-        {
-          return InvalidInput(
-            "Point ", triangle[k], " of triangle ", f, " has a coordinate that is not finite")
-            .Fix("Correct the point or remove the triangle");
-        }
-        low[axis] = std::min(low[axis], p[axis]);
-        high[axis] = std::max(high[axis], p[axis]);
-        squares += (q[axis] - p[axis]) * (q[axis] - p[axis]);
-      }
-      mesh.Lengths[3 * f + k] = std::sqrt(squares);
-      longest = std::max(longest, mesh.Lengths[3 * f + k]);
+      // Bitwise identical for both halves of an edge.
+      const double length = Norm(corners[(k + 1) % 3] - corners[k]);
+      mesh.Lengths[3 * f + k] = length;
+      longest = std::max(longest, length);
     }
   }
-  if (high[0] < low[0])
-  {
-    return Status::Success(); // all faces are dropped
-  }
-  const double extent = std::max({ high[0] - low[0], high[1] - low[1], high[2] - low[2] });
-  DGG_RETURN_IF_ERROR(this->CheckExtent(extent, "The largest extent of the mesh"));
+  mesh.MaximumEdgeLength = longest;
   // Triangles that degenerate to points may be far from each other.
   return this->CheckExtent(longest, "The longest edge");
 }
@@ -266,6 +315,7 @@ Status SurfaceMeshBuilder::TakeLengths(const double* lengths)
     mesh.Lengths[h] = length;
     longest = std::max(longest, length);
   }
+  mesh.MaximumEdgeLength = longest;
   const bool isEmpty = std::all_of(mesh.FaceFlags.begin(), mesh.FaceFlags.end(),
     [](std::uint8_t flags) { return (flags & SurfaceMesh::DroppedFlag) != 0; });
   return isEmpty ? Status::Success() : this->CheckExtent(longest, "The longest edge");
@@ -295,28 +345,37 @@ Status SurfaceMeshBuilder::CheckTriangleInequalities() const
   return Status::Success();
 }
 
-/// Finds the links between half-edges. Returns false if a manifold edge has half-edges that run in
-/// the same direction.
+/// Returns true if the edge of h has two half-edges that run in opposite directions.
+bool SurfaceMeshBuilder::IsLinked(Id h) const
+{
+  const SurfaceMesh& mesh = this->Mesh;
+  const Id t = mesh.Twin(h);
+  return t != NoId &&
+    (this->AreAllLinked || (mesh.Twin(t) == h && mesh.Origin(t) == mesh.Destination(h)));
+}
+
+/// Sets AreAllLinked. Returns false if a manifold edge has half-edges that run in the same
+/// direction.
 bool SurfaceMeshBuilder::FindLinks()
 {
   const SurfaceMesh& mesh = this->Mesh;
-  this->IsLinked.resize(mesh.Twins.size());
   bool isOriented = true;
+  bool areAllLinked = true;
   for (Id h = 0; h < mesh.GetNumberOfHalfEdges(); ++h)
   {
     const Id t = mesh.Twin(h);
-    const bool isManifold = t != NoId && mesh.Twin(t) == h;
-    const bool isLinked = isManifold && mesh.Origin(t) == mesh.Destination(h);
-    isOriented = isOriented && isManifold == isLinked;
-    this->IsLinked[h] = isLinked ? 1 : 0;
+    const bool isLinked = this->IsLinked(h);
+    isOriented = isOriented && (isLinked || t == NoId || mesh.Twin(t) != h);
+    areAllLinked = areAllLinked && (isLinked || t == NoId);
   }
+  this->AreAllLinked = areAllLinked;
   return isOriented;
 }
 
 void SurfaceMeshBuilder::Orient()
 {
   SurfaceMesh& mesh = this->Mesh;
-  if (this->FindLinks())
+  if (this->AreAllLinked || this->FindLinks())
   {
     return;
   }
@@ -400,6 +459,7 @@ void SurfaceMeshBuilder::Orient()
       mesh.FaceFlags[f] |= SurfaceMesh::FlippedFlag;
     }
   }
+  this->GroupByOrigin();
   this->FindLinks();
 }
 
@@ -422,19 +482,19 @@ void SurfaceMeshBuilder::TakeOrigin(const PartOfMesh& origin)
   }
 }
 
-void SurfaceMeshBuilder::MeasureEdges()
+void SurfaceMeshBuilder::MeasureMeanEdge()
 {
   SurfaceMesh& mesh = this->Mesh;
   double sum = 0.0;
   Offset edges = 0;
-  mesh.MaximumEdgeLength = 0.0;
-  for (Id h = 0; h < mesh.GetNumberOfHalfEdges(); ++h)
+  for (Id f = 0; f < mesh.GetNumberOfFaces(); ++f)
   {
-    if (!mesh.IsDropped(SurfaceMesh::Face(h)))
+    for (Id h = 3 * f; h < 3 * f + 3 && !mesh.IsDropped(f); ++h)
     {
-      mesh.MaximumEdgeLength = std::max(mesh.MaximumEdgeLength, mesh.Lengths[h]);
       // Counts each edge once. Branchless, because branches would be unpredictable.
-      const bool counts = this->IsLinked[h] ? mesh.Twin(h) > h : FindEdge(mesh, h) == h;
+      const bool counts = this->AreAllLinked
+        ? static_cast<std::uint32_t>(mesh.Twin(h)) > static_cast<std::uint32_t>(h)
+        : FindEdge(mesh, h) == h;
       sum += counts ? mesh.Lengths[h] : 0.0;
       edges += counts ? 1 : 0;
     }
@@ -463,7 +523,7 @@ double SurfaceMeshBuilder::TriangleInequalityViolation(Id f) const
 void SurfaceMeshBuilder::Mollify()
 {
   SurfaceMesh& mesh = this->Mesh;
-  this->MeasureEdges();
+  this->MeasureMeanEdge();
   double delta = 0.0;
   std::vector<Id> concerned;
   std::vector<std::uint8_t> isConcerned(mesh.GetNumberOfFaces(), 0);
@@ -483,10 +543,13 @@ void SurfaceMeshBuilder::Mollify()
         mesh.FaceFlags[f] |= SurfaceMesh::DegenerateFlag;
         concern(f);
       }
-      mesh.NumberOfDegenerateFaces += mesh.IsDegenerate(f) ? 1 : 0;
     }
   }
   mesh.Mollification = std::max(mesh.Mollification, delta);
+  if (mesh.Mollification == 0.0)
+  {
+    return; // no face is degenerate, not even in the parent mesh
+  }
   // Lengthen the edges of these faces. A neighbor that becomes degenerate by a longer edge is
   // added.
   std::vector<std::uint8_t> lengthened(concerned.empty() ? 0 : mesh.Lengths.size(), 0);
@@ -514,6 +577,7 @@ void SurfaceMeshBuilder::Mollify()
   }
   for (Id f = 0; f < mesh.GetNumberOfFaces(); ++f)
   {
+    mesh.NumberOfDegenerateFaces += mesh.IsDegenerate(f) ? 1 : 0;
     mesh.NumberOfMollifiedFaces += mesh.IsMollified(f) ? 1 : 0;
   }
 }
@@ -548,43 +612,60 @@ void SurfaceMeshBuilder::LayOutFaces()
 void SurfaceMeshBuilder::OrderFans()
 {
   SurfaceMesh& mesh = this->Mesh;
-  Groups outgoing = GroupHalfEdges(mesh, [&](Id h) { return mesh.Origin(h); });
-  mesh.FanOffsets = std::move(outgoing.Begins);
-  mesh.Fans.resize(outgoing.Members.size());
-  std::vector<std::uint8_t> placed(mesh.Lengths.size(), 0);
+  const std::vector<Id>& outgoing = this->Outgoing.Members;
+  mesh.FanOffsets = std::move(this->Outgoing.Begins);
+  mesh.Fans.resize(outgoing.size());
+  std::vector<std::uint8_t> placed; // per half-edge, only for vertices with several fans
+  const bool isRegular = this->AreAllLinked && mesh.NumberOfMollifiedFaces == 0;
   for (Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
   {
     const Offset begin = mesh.FanOffsets[v];
     const Offset end = mesh.FanOffsets[v + 1];
     Offset out = begin;
     Id fans = 0;
-    auto walk = [&](Id start) {
+    const auto walk = [&](Id start) {
       ++fans;
       Id h = start;
       do
       {
-        placed[h] = 1;
         mesh.Fans[out++] = h;
         const Id incoming = SurfaceMesh::Previous(h);
-        h = this->IsLinked[incoming] ? mesh.Twin(incoming) : NoId;
-      } while (h != NoId && !placed[h]);
+        h = this->IsLinked(incoming) ? mesh.Twin(incoming) : NoId;
+      } while (h != NoId && h != start);
     };
-    for (Offset i = begin; i < end; ++i)
+    if (begin < end)
     {
-      const Id h = outgoing.Members[i];
-      if (!placed[h] && !this->IsLinked[h])
+      walk(outgoing[begin]);
+    }
+    if (out < end) // more than one fan, or an open one
+    {
+      out = begin;
+      fans = 0;
+      for (Offset i = begin; i < end; ++i)
       {
-        walk(h); // clockwise-most: no face on its right side
+        if (!this->IsLinked(outgoing[i]))
+        {
+          walk(outgoing[i]); // clockwise-most: no face on its right side
+        }
       }
     }
-    for (Offset i = begin; out < end; ++i)
+    if (out < end) // closed fans after others
     {
-      if (!placed[outgoing.Members[i]])
+      placed.resize(mesh.Lengths.size(), 0);
+      Offset marked = begin;
+      for (Offset i = begin; out < end; ++i)
       {
-        walk(outgoing.Members[i]);
+        for (; marked < out; ++marked)
+        {
+          placed[mesh.Fans[marked]] = 1;
+        }
+        if (!placed[outgoing[i]])
+        {
+          walk(outgoing[i]);
+        }
       }
     }
-    if (fans > 1 || !this->IsRegular(v))
+    if (fans > 1 || !(isRegular || this->IsRegular(v)))
     {
       mesh.VertexFlags[v] |= SurfaceMesh::IrregularFlag;
     }
@@ -597,8 +678,8 @@ bool SurfaceMeshBuilder::IsRegular(Id v) const
   const SurfaceMesh& mesh = this->Mesh;
   return std::all_of(mesh.FanBegin(v), mesh.FanEnd(v), [&](Id h) {
     const Id incoming = SurfaceMesh::Previous(h);
-    return !mesh.IsMollified(SurfaceMesh::Face(h)) && (this->IsLinked[h] || mesh.Twin(h) == NoId) &&
-      (this->IsLinked[incoming] || mesh.Twin(incoming) == NoId);
+    return !mesh.IsMollified(SurfaceMesh::Face(h)) && (this->IsLinked(h) || mesh.Twin(h) == NoId) &&
+      (this->IsLinked(incoming) || mesh.Twin(incoming) == NoId);
   });
 }
 }

@@ -5,11 +5,10 @@
 #ifndef dggSurfaceMeshBuilder_h
 #define dggSurfaceMeshBuilder_h
 
+#include "dggGroups.h"      // for Groups
 #include "dggSurfaceMesh.h" // for SurfaceMesh
 
-#include <cstdint> // for the marks
-#include <utility> // for std::pair
-#include <vector>  // for std::vector
+#include <vector> // for std::vector
 
 namespace dgg
 {
@@ -40,22 +39,34 @@ public:
   void Finish();
 
 private:
+  /// The last half-edge found between a vertex and a smaller neighbor.
+  struct Spoke
+  {
+    Id Smaller = NoId;
+    Id HalfEdge = NoId;
+    Id Apex = NoId;
+  };
+
+  bool IsLinked(Id h) const;
   void DropRepeatedVertexFaces();
-  void GlueEdge(std::vector<Id>::iterator begin, std::vector<Id>::iterator end);
-  void DropDuplicates(std::vector<Id>::iterator begin, std::vector<Id>::iterator end);
+  void GroupByOrigin();
+  void Glue(Id v, Id neighbor, Id h, Id apex);
+  void DropDuplicates(Id edge);
   double TriangleInequalityViolation(Id f) const;
-  void MeasureEdges();
+  void MeasureMeanEdge();
   void LayOutFaces();
   bool FindLinks();
   void OrderFans();
   bool IsRegular(Id v) const;
+  Status DescribeNotFinite(const double* points) const;
   Status CheckExtent(double extent, const char* what) const;
 
   SurfaceMesh& Mesh;
   const SurfaceMesh* Whole = nullptr; // parent mesh, or null
-  /// Per half-edge, true if its edge has two half-edges that run in opposite directions.
-  std::vector<std::uint8_t> IsLinked;
-  std::vector<std::pair<Id, Id>> Apexes; // apexes of the faces on an edge, with their half-edges
+  Groups Outgoing;                    // half-edges by origin, without dropped faces
+  bool AreAllLinked = false;          // true if all edges off the boundary are known to be linked
+  std::vector<Spoke> Spokes;          // per vertex, with the last of its smaller neighbors
+  std::vector<Id> Crowded; // half-edges whose edges have more than two faces, or duplicates
 };
 }
 

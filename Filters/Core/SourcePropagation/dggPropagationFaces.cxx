@@ -33,23 +33,36 @@ PropagationFaces::PropagationFaces(const SurfaceMesh& mesh)
   : Faces(static_cast<std::size_t>(mesh.GetNumberOfFaces()))
   , Unit(mesh.GetMeanEdgeLength() > 0.0 ? mesh.GetMeanEdgeLength() : 1.0)
 {
-  for (Id h = 0; h < mesh.GetNumberOfHalfEdges(); ++h)
+  for (Id f = 0; f < mesh.GetNumberOfFaces(); ++f)
   {
-    PropagationFace& face = this->Faces[SurfaceMesh::Face(h)];
-    const int k = h % 3;
-    const double left = mesh.Length(SurfaceMesh::Previous(h));
-    face.Lengths[k] = static_cast<float>(mesh.Length(h) / this->Unit);
-    face.Cosines[k] = static_cast<float>(mesh.ApexX(h) / left);
-    face.Sines[k] = static_cast<float>(mesh.ApexY(h) / left);
-    face.Corners[k] = mesh.Origin(h);
-    const Id twin = mesh.Twin(h);
-    const bool isPlain =
-      twin != NoId && mesh.Twin(twin) == h && mesh.Origin(twin) == mesh.Destination(h);
-    face.Behind[k] = twin == NoId ? Nothing : isPlain ? twin : AskMesh;
-    face.IsIrregular = (k > 0 && face.IsIrregular) || mesh.IsIrregular(mesh.Origin(h));
+    PropagationFace& face = this->Faces[f];
+    for (int k = 0; k < 3; ++k)
+    {
+      const Id h = 3 * f + k;
+      const double left = mesh.Length(3 * f + PreviousOf(k));
+      face.Lengths[k] = static_cast<float>(mesh.Length(h) / this->Unit);
+      face.Cosines[k] = static_cast<float>(mesh.ApexX(h) / left);
+      face.Sines[k] = static_cast<float>(mesh.ApexY(h) / left);
+      face.Corners[k] = mesh.Origin(h);
+      face.Behind[k] = mesh.Twin(h);
+      face.IsIrregular = face.IsIrregular || mesh.IsIrregular(mesh.Origin(h));
+    }
+    // Edges with several twins, or one of opposite orientation, have irregular vertices only.
+    for (int k = 0; k < 3 && face.IsIrregular; ++k)
+    {
+      const Id h = 3 * f + k;
+      const Id twin = mesh.Twin(h);
+      if (twin != NoId && (mesh.Twin(twin) != h || mesh.Origin(twin) != mesh.Destination(h)))
+      {
+        face.Behind[k] = AskMesh;
+      }
+    }
   }
   this->LookAtVertices(mesh);
-  this->FindEdgeHubs(mesh);
+  if (this->NumberOfVertexHubs > 0)
+  {
+    this->FindEdgeHubs(mesh);
+  }
 }
 
 void PropagationFaces::LookAtVertices(const SurfaceMesh& mesh)

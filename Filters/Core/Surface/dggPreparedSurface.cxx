@@ -60,11 +60,9 @@ double GetDiagonal(const std::vector<double>& points, const std::vector<Id>& ids
 
 Status CheckOffsets(const CellArrays& cells)
 {
-  bool isValid = cells.Offsets[0] == 0 && cells.Offsets[cells.NumberOfCells] == cells.NumberOfIds;
-  for (Offset i = 0; i < cells.NumberOfCells; ++i)
-  {
-    isValid = isValid && cells.Offsets[i] <= cells.Offsets[i + 1];
-  }
+  const Offset* end = cells.Offsets + cells.NumberOfCells;
+  const bool isValid =
+    cells.Offsets[0] == 0 && *end == cells.NumberOfIds && std::is_sorted(cells.Offsets, end + 1);
   return isValid ? Status::Success()
                  : InvalidInput("The offsets and the connectivity of the polygons or strips of the "
                                 "input contradict each other")
@@ -180,27 +178,30 @@ Status PreparedSurface::CheckCells(const CellArrays& cells, Offset firstCell) co
 {
   DGG_RETURN_IF_ERROR(CheckOffsets(cells));
   const auto n = static_cast<Offset>(this->Positions.size() / 3);
-  for (Offset i = 0; i < cells.NumberOfCells; ++i)
+  const bool areFinite = std::all_of(this->Positions.begin(), this->Positions.end(),
+    [](double coordinate) { return std::isfinite(coordinate); });
+  const Offset* end = cells.Ids + cells.NumberOfIds;
+  const Offset* wrong = std::find_if(cells.Ids, end, [&](Offset id) {
+    return id < 0 || id >= n ||
+      !(areFinite || IsFinite(PointAt(this->Positions.data(), static_cast<Id>(id))));
+  });
+  if (wrong == end)
   {
-    for (Offset k = cells.Offsets[i]; k < cells.Offsets[i + 1]; ++k)
-    {
-      const Offset id = cells.Ids[k];
-      if (id < 0 || id >= n)
-      {
-        return InvalidInput("Cell ", firstCell + i, " refers to point ", id, ", but the input has ",
-          n, n == 1 ? " point" : " points")
-          .Fix("Repair the cell");
-      }
-      const Point3 p = PointAt(this->Positions.data(), static_cast<Id>(id));
-      if (!IsFinite(p))
-      {
-        return InvalidInput("Point ", id, " of cell ", firstCell + i, " has the coordinates (", p.X,
-          ", ", p.Y, ", ", p.Z, "), which are not finite")
-          .Fix("Repair the point or remove the cell");
-      }
-    }
+    return Status::Success();
   }
-  return Status::Success();
+  const Offset* next =
+    std::upper_bound(cells.Offsets, cells.Offsets + cells.NumberOfCells, wrong - cells.Ids);
+  const Offset cell = firstCell + (next - cells.Offsets) - 1;
+  if (*wrong < 0 || *wrong >= n)
+  {
+    return InvalidInput("Cell ", cell, " refers to point ", *wrong, ", but the input has ", n,
+      n == 1 ? " point" : " points")
+      .Fix("Repair the cell");
+  }
+  const Point3 p = PointAt(this->Positions.data(), static_cast<Id>(*wrong));
+  return InvalidInput("Point ", *wrong, " of cell ", cell, " has the coordinates (", p.X, ", ", p.Y,
+    ", ", p.Z, "), which are not finite")
+    .Fix("Repair the point or remove the cell");
 }
 
 //------------------------------------------------------------------------------
@@ -243,14 +244,17 @@ Status PreparedSurface::TriangulateCells(
   {
     const Offset* ids = cells.Ids + cells.Offsets[i];
     const Offset size = cells.Offsets[i + 1] - cells.Offsets[i];
-    const std::size_t before = triangles.size();
+    const std::size_t before = this->Cells.size();
     if (areStrips || size == 3)
     {
       for (Offset k = 0; k + 2 < size; ++k)
       {
         const Offset odd = k % 2; // every second triangle of a strip is turned over
-        PolygonTriangulator::Append(this->GetVertex(ids[k]), this->GetVertex(ids[k + 1 + odd]),
-          this->GetVertex(ids[k + 2 - odd]), triangles);
+        if (PolygonTriangulator::Append(this->GetVertex(ids[k]), this->GetVertex(ids[k + 1 + odd]),
+              this->GetVertex(ids[k + 2 - odd]), triangles))
+        {
+          this->Cells.push_back(firstCell + i);
+        }
       }
     }
     else
@@ -258,10 +262,10 @@ Status PreparedSurface::TriangulateCells(
       corners.resize(static_cast<std::size_t>(size));
       std::transform(
         ids, ids + size, corners.begin(), [this](Offset id) { return this->GetVertex(id); });
-      triangulator.Triangulate(corners, triangles);
+      const Id added = triangulator.Triangulate(corners, triangles);
+      this->Cells.insert(this->Cells.end(), static_cast<std::size_t>(added), firstCell + i);
     }
-    this->NumberOfDroppedCells += triangles.size() == before ? 1 : 0;
-    this->Cells.resize(triangles.size() / 3, firstCell + i);
+    this->NumberOfDroppedCells += this->Cells.size() == before ? 1 : 0;
   }
   this->NumberOfFans += triangulator.GetNumberOfFans();
   return Status::Success();
@@ -444,11 +448,11 @@ const MeshReport& PreparedSurface::GetReport() const
 }
 
 //------------------------------------------------------------------------------
-const Anisotropy& PreparedSurface::GetAnisotropy() const
+double PreparedSurface::GetMeanAnisotropy() const
 {
   std::call_once(
-    this->AnisotropyOnce, [this] { this->MeshAnisotropy = MeasureAnisotropy(this->Mesh); });
-  return this->MeshAnisotropy;
+    this->AnisotropyOnce, [this] { this->MeanAnisotropy = MeasureMeanAnisotropy(this->Mesh); });
+  return this->MeanAnisotropy;
 }
 
 //------------------------------------------------------------------------------

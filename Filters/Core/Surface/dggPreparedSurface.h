@@ -103,7 +103,7 @@ public:
   ///@{
   /// Computed at the first call.
   const MeshReport& GetReport() const;
-  const Anisotropy& GetAnisotropy() const;
+  double GetMeanAnisotropy() const; ///< see MeasureMeanAnisotropy()
   const Locator& GetLocator() const;
   ///@}
   /// Returns size, defects and quality of the surface. An empty surface has zeros, and is
@@ -185,7 +185,7 @@ private:
   mutable std::once_flag ReportOnce;
   mutable MeshReport Report;
   mutable std::once_flag AnisotropyOnce;
-  mutable Anisotropy MeshAnisotropy;
+  mutable double MeanAnisotropy = 0.0;
   mutable std::once_flag LocatorOnce;
   mutable std::unique_ptr<Locator> ClosestPoints;
 };

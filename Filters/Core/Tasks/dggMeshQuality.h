@@ -22,7 +22,7 @@ constexpr double LargestAnisotropy = 2.0;
 
 inline bool HasLongTriangles(const PreparedSurface& surface)
 {
-  return surface.GetAnisotropy().Mean > LargestAnisotropy;
+  return surface.GetMeanAnisotropy() > LargestAnisotropy;
 }
 
 /// Returns a warning with the consequence and the remedy if much of the surface is covered by long
@@ -32,7 +32,7 @@ inline std::string DescribeLongTriangles(
 {
   return HasLongTriangles(surface)
     ? JoinText("Much of the surface is covered by long triangles (mean anisotropy ",
-        surface.GetAnisotropy().Mean, ", more than ", LargestAnisotropy, "): ", consequence)
+        surface.GetMeanAnisotropy(), ", more than ", LargestAnisotropy, "): ", consequence)
     : std::string();
 }
 
