@@ -19,7 +19,6 @@
 
 #include "BenchmarkArguments.h"
 #include "BenchmarkTools.h"
-#include "ExactCases.h"
 #include "FieldMethods.h"
 
 namespace

@@ -149,15 +149,15 @@ void ReportMemory(benchmark::State& state, const BenchmarkMesh& mesh, const Memo
 void ReportErrors(benchmark::State& state, BenchmarkMesh& mesh, dgg::Id source,
   const std::vector<double>& distances)
 {
-  ReportErrors(state, ErrorStatistics::Of(distances, mesh.GetExactDistances(source)));
+  ReportErrors(state, ErrorStatistics(distances, mesh.GetExactDistances(source)));
 }
 
 void ReportErrors(benchmark::State& state, const ErrorStatistics& errors)
 {
-  Require(!errors.IsEmpty(), "no vertex with a true distance is reached");
-  state.counters["error_mean"] = errors.Mean;
-  state.counters["error_p999"] = errors.Percentile999;
-  state.counters["error_max"] = errors.Maximum;
+  Require(errors.Errors.GetCount() > 0, "no vertex with a true distance is reached");
+  state.counters["error_mean"] = errors.Errors.GetMean();
+  state.counters["error_p999"] = errors.GetPercentile999();
+  state.counters["error_max"] = errors.Errors.GetMaximum();
   state.counters["unreached"] = static_cast<double>(errors.Unreached);
   state.counters["reached_beyond"] = static_cast<double>(errors.Beyond);
 }

@@ -6,10 +6,10 @@
 #ifndef BenchmarkTools_h
 #define BenchmarkTools_h
 
-#include "BenchmarkMesh.h"   // for BenchmarkMesh
-#include "ErrorStatistics.h" // for ErrorStatistics
-#include "MemoryProbe.h"     // for MemoryProbe
-#include "dggParallel.h"     // for ParallelFor
+#include "BenchmarkMesh.h" // for BenchmarkMesh
+#include "MemoryProbe.h"   // for MemoryProbe
+#include "Statistics.h"    // for ErrorStatistics
+#include "dggParallel.h"   // for ParallelFor
 
 #include <benchmark/benchmark.h> // for State
 

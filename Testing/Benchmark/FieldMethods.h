@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Methods that compute distances from a vertex, ours and those of other libraries, measured in the
-/// same manner.
+/// Cases that several programs measure: our mesh, our exact engine, and other methods that compute
+/// distances from a vertex, ours and those of other libraries.
 
 #ifndef FieldMethods_h
 #define FieldMethods_h
@@ -14,28 +14,25 @@
 
 #include <benchmark/benchmark.h> // for State
 
-#include <functional> // for the function that makes a method
-#include <memory>     // for methods
+#include <functional> // for methods
 #include <string>     // for names
 #include <vector>     // for distances
 
-class FieldMethod
+/// A method on a mesh. Functions throw a BenchmarkError on failure.
+struct FieldMethod
 {
-public:
-  virtual ~FieldMethod() = default;
-  /// Runs all steps that precede queries, except the construction of the library's mesh. Throws a
-  /// BenchmarkError on failure.
-  virtual void Prepare() {}
-  /// Computes the distances of all vertices. Throws a BenchmarkError on failure.
-  virtual void Run(dgg::Id source) = 0;
+  /// Runs all steps that precede queries, except the construction of the library's mesh.
+  std::function<void()> Prepare;
+  /// Computes the distances of all vertices from a vertex.
+  std::function<void(dgg::Id)> Run;
   /// Returns the distances of the last run.
-  virtual std::vector<double> TakeDistances() = 0;
+  std::function<std::vector<double>()> TakeDistances;
 };
 
 struct NamedMethod
 {
   std::string Name;
-  std::function<std::unique_ptr<FieldMethod>(const BenchmarkMesh&)> Make;
+  std::function<FieldMethod(const BenchmarkMesh&)> Make;
   bool IsPrepared = true; ///< false if no step precedes the first query
 };
 
@@ -57,5 +54,12 @@ void MeasurePreparation(
 /// vertices. The first query of a method with a preparation is not measured.
 void MeasureField(benchmark::State& state, const MeshRecipe& recipe, const NamedMethod& method,
   double limit, int k, int numberOfSources);
+
+/// Measures the construction of a SurfaceMesh.
+void MeasureSetUp(benchmark::State& state, const MeshRecipe& recipe);
+
+/// Measures one exact run from the k-th of `numberOfSources` sources. Its distances are kept for
+/// later cases.
+void MeasureEngine(benchmark::State& state, const MeshRecipe& recipe, int k, int numberOfSources);
 
 #endif

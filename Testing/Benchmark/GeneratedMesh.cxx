@@ -2,29 +2,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "GeneratedMesh.h"
 
+#include "RandomNumbers.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
-#include <random>
-#include <tuple>
 #include <utility>
 
 namespace
 {
 using Vector = std::array<double, 3>;
+constexpr unsigned int Seed = 20190521u;
 
-/// Random numbers that are the same with every standard library (the standard's distributions
-/// differ).
-class Shift
+/// Returns a random number with uniform distribution in [-1, 1].
+double Shift(RandomNumbers& random)
 {
-public:
-  /// Returns a number with uniform distribution in [-1, 1].
-  double operator()() { return 2.0 * static_cast<double>(this->Engine()) / 4294967295.0 - 1.0; }
-
-private:
-  std::mt19937 Engine{ 20190521u };
-};
+  return 2.0 * (4294967296.0 / 4294967295.0) * random() - 1.0;
+}
 
 Vector PointOf(const MeshArrays& mesh, dgg::Id id)
 {
@@ -113,13 +108,13 @@ MeshArrays BumpySphere(int level, double amplitude)
 {
   MeshArrays mesh = Icosphere(level);
   const double edge = 1.1 / static_cast<double>(1 << level);
-  Shift shift;
+  RandomNumbers random(Seed);
   for (std::size_t i = 0; i < mesh.Points.size(); i += 3)
   {
     Vector p = { mesh.Points[i], mesh.Points[i + 1], mesh.Points[i + 2] };
     for (double& c : p)
     {
-      c += 0.2 * edge * shift();
+      c += 0.2 * edge * Shift(random);
     }
     Normalize(p);
     const double r = 1.0 +
@@ -135,13 +130,13 @@ MeshArrays BumpySphere(int level, double amplitude)
 MeshArrays Torus(int rings, int sides)
 {
   MeshArrays mesh;
-  Shift shift;
+  RandomNumbers random(Seed);
   for (int i = 0; i < rings; ++i)
   {
     for (int j = 0; j < sides; ++j)
     {
-      const double u = 2.0 * dgg::Pi * (i + 0.2 * shift()) / rings;
-      const double v = 2.0 * dgg::Pi * (j + 0.2 * shift()) / sides;
+      const double u = 2.0 * dgg::Pi * (i + 0.2 * Shift(random)) / rings;
+      const double v = 2.0 * dgg::Pi * (j + 0.2 * Shift(random)) / sides;
       const double r = 1.0 + 0.4 * std::cos(v);
       AddPoint(mesh, { r * std::cos(u), r * std::sin(u), 0.4 * std::sin(v) });
     }
@@ -156,112 +151,6 @@ MeshArrays Torus(int rings, int sides)
       const int d = i * sides + (j + 1) % sides;
       AddTriangle(mesh, a, b, c);
       AddTriangle(mesh, a, c, d);
-    }
-  }
-  return mesh;
-}
-
-MeshArrays HillWithHole(int side)
-{
-  const int holeBegin = side / 3;
-  const int holeEnd = 2 * side / 3;
-  const auto inHole = [&](int i, int j) {
-    return i >= holeBegin && i < holeEnd && j >= holeBegin && j < holeEnd;
-  };
-
-  MeshArrays mesh;
-  Shift shift;
-  std::vector<dgg::Id> ids(static_cast<std::size_t>(side) * side, dgg::NoId);
-  for (int i = 0; i < side; ++i)
-  {
-    for (int j = 0; j < side; ++j)
-    {
-      const double step = 1.0 / (side - 1);
-      const double x = step * (i + 0.2 * shift());
-      const double y = step * (j + 0.2 * shift());
-      const double z = 0.15 * std::sin(9.0 * x) * std::cos(7.0 * y);
-      // The points strictly inside the hole have no face.
-      const bool used =
-        !(inHole(i, j) && inHole(i - 1, j) && inHole(i, j - 1) && inHole(i - 1, j - 1));
-      ids[i * side + j] = used ? AddPoint(mesh, { x, y, z }) : dgg::NoId;
-    }
-  }
-  for (int i = 0; i + 1 < side; ++i)
-  {
-    for (int j = 0; j + 1 < side; ++j)
-    {
-      if (!inHole(i, j))
-      {
-        const dgg::Id* row = ids.data() + i * side + j;
-        AddTriangle(mesh, row[0], row[side], row[side + 1]);
-        AddTriangle(mesh, row[0], row[side + 1], row[1]);
-      }
-    }
-  }
-  return mesh;
-}
-
-MeshArrays Cuboid(double x, double y, double z, int steps, double jitter)
-{
-  const Vector extent = { x, y, z };
-  const double step = std::max({ x, y, z }) / steps;
-  std::array<int, 3> count;
-  for (int k = 0; k < 3; ++k)
-  {
-    count[k] = std::max(1, static_cast<int>(std::lround(extent[k] / step)));
-  }
-
-  MeshArrays mesh;
-  Shift shift;
-  std::map<std::tuple<int, int, int>, dgg::Id> ids;
-  const auto idOf = [&](const std::array<int, 3>& at) {
-    const auto inserted = ids.insert({ std::make_tuple(at[0], at[1], at[2]), 0 });
-    if (inserted.second)
-    {
-      Vector p;
-      int rims = 0;
-      for (int k = 0; k < 3; ++k)
-      {
-        p[k] = extent[k] * at[k] / count[k];
-        rims += at[k] == 0 || at[k] == count[k] ? 1 : 0;
-      }
-      for (int k = 0; k < 3; ++k)
-      {
-        // Points on edges of the cuboid are not moved, because the shape must not change.
-        if (rims == 1 && at[k] != 0 && at[k] != count[k])
-        {
-          p[k] += jitter * extent[k] / count[k] * shift();
-        }
-      }
-      inserted.first->second = AddPoint(mesh, p);
-    }
-    return inserted.first->second;
-  };
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    const int u = (axis + 1) % 3;
-    const int v = (axis + 2) % 3;
-    for (int end = 0; end < 2; ++end)
-    {
-      for (int i = 0; i < count[u]; ++i)
-      {
-        for (int j = 0; j < count[v]; ++j)
-        {
-          const auto corner = [&](int du, int dv) {
-            std::array<int, 3> at;
-            at[axis] = end * count[axis];
-            at[u] = i + du;
-            at[v] = j + dv;
-            return idOf(at);
-          };
-          const dgg::Id a = corner(0, 0);
-          const dgg::Id b = end == 1 ? corner(1, 0) : corner(0, 1);
-          const dgg::Id c = corner(1, 1);
-          const dgg::Id d = end == 1 ? corner(0, 1) : corner(1, 0);
-          AddTriangle(mesh, a, b, c);
-          AddTriangle(mesh, a, c, d);
-        }
-      }
     }
   }
   return mesh;

@@ -19,11 +19,4 @@ MeshArrays BumpySphere(int level, double amplitude = 0.1);
 /// up to 0.2 steps.
 MeshArrays Torus(int rings, int sides);
 
-/// Hilly square [0,1]^2 of `side` x `side` vertices with a square hole in it: two boundary loops.
-MeshArrays HillWithHole(int side);
-
-/// Cuboid of the given extents, every face a grid of about `steps` squares along the longest side,
-/// split along one diagonal; interior grid points shifted by `jitter` steps within their face.
-MeshArrays Cuboid(double x, double y, double z, int steps, double jitter);
-
 #endif

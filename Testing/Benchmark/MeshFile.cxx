@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <cctype>
 #include <iterator>
+#include <map>
 
 namespace
 {
@@ -44,28 +45,12 @@ std::string ExtensionOf(const std::string& path)
 
 vtkSmartPointer<vtkPolyData> ReadPolyData(const std::string& path)
 {
-  const std::string extension = ExtensionOf(path);
-  if (extension == "ply")
-  {
-    return ReadWith<vtkPLYReader>(path);
-  }
-  if (extension == "obj")
-  {
-    return ReadWith<vtkOBJReader>(path);
-  }
-  if (extension == "stl")
-  {
-    return ReadWith<vtkSTLReader>(path);
-  }
-  if (extension == "vtp")
-  {
-    return ReadWith<vtkXMLPolyDataReader>(path);
-  }
-  if (extension == "vtk")
-  {
-    return ReadWith<vtkPolyDataReader>(path);
-  }
-  return vtkSmartPointer<vtkPolyData>::New();
+  static const std::map<std::string, vtkSmartPointer<vtkPolyData> (*)(const std::string&)>
+    readers = { { "ply", ReadWith<vtkPLYReader> }, { "obj", ReadWith<vtkOBJReader> },
+      { "stl", ReadWith<vtkSTLReader> }, { "vtp", ReadWith<vtkXMLPolyDataReader> },
+      { "vtk", ReadWith<vtkPolyDataReader> } };
+  const auto reader = readers.find(ExtensionOf(path));
+  return reader == readers.end() ? vtkSmartPointer<vtkPolyData>::New() : reader->second(path);
 }
 
 MeshArrays ToArrays(vtkPolyData* mesh)

@@ -33,7 +33,7 @@ if (TARGET dggPeerCGAL)
     TestAgainstCGAL.cxx
     "${shared}/GeneratedMesh.cxx"
     "${shared}/GeneratedMesh.h")
-  target_link_libraries(dggCGALTests PRIVATE dggPeerCGAL)
+  target_link_libraries(dggCGALTests PRIVATE dggPeerCGAL dggTestTools)
   set(bunny "/usr/share/glmark2/models/bunny.obj")
   if (EXISTS "${bunny}")
     target_compile_definitions(dggCGALTests PRIVATE "DGG_GLMARK2_BUNNY=\"${bunny}\"")
@@ -44,7 +44,7 @@ if (TARGET dggPeerHeat)
     TestHeatAgainstCGAL.cxx
     "${shared}/GeneratedMesh.cxx"
     "${shared}/GeneratedMesh.h")
-  target_link_libraries(dggCGALHeatTests PRIVATE dggPeerHeat)
+  target_link_libraries(dggCGALHeatTests PRIVATE dggPeerHeat dggTestTools)
 endif ()
 if (DGG_EXTRA_DATA)
   dgg_add_real_mesh_tests(dggExtraDataTests ExtraMeshes.cxx TestExtraData.cxx)

@@ -7,6 +7,7 @@
 #include "GeneratedMesh.h"
 #include "MeshFile.h"
 #include "PeerCGAL.h"
+#include "TestMeshes.h"
 
 #include "dggExactGeodesics.h"
 #include "dggSurfaceMesh.h"
@@ -145,6 +146,22 @@ void PrintTo(const GeneratedCase& generated, std::ostream* stream)
   *stream << generated.Name;
 }
 
+MeshArrays ToArrays(const dggtest::TestMesh& mesh)
+{
+  return { mesh.Points, mesh.Triangles };
+}
+
+MeshArrays HillsWithHole()
+{
+  const auto keep = [](dgg::Id i, dgg::Id j) { return i < 11 || i >= 22 || j < 11 || j >= 22; };
+  return ToArrays(dggtest::WithNoise(dggtest::Plate(32, 32, keep, 0.2), 0.2, 7));
+}
+
+MeshArrays Box(dgg::Id nx, dgg::Id ny, dgg::Id nz, double jitter)
+{
+  return ToArrays(dggtest::Box(nx, ny, nz, 0.25, 0.25, 0.25, jitter));
+}
+
 class AgainstCGAL : public testing::TestWithParam<GeneratedCase>
 {
 };
@@ -165,11 +182,11 @@ INSTANTIATE_TEST_SUITE_P(Generated, AgainstCGAL,
     GeneratedCase{ "RoughSphere", [] { return BumpySphere(3, 0.5); } },
     GeneratedCase{ "Torus", [] { return Torus(40, 24); } },
     GeneratedCase{ "FlatTorusTriangles", [] { return Torus(6, 60); } },
-    GeneratedCase{ "HillWithHole", [] { return HillWithHole(33); } },
-    GeneratedCase{ "JitteredCube", [] { return Cuboid(1.0, 1.0, 1.0, 8, 0.2); } },
-    GeneratedCase{ "GridCube", [] { return Cuboid(1.0, 1.0, 1.0, 8, 0.0); } },
-    GeneratedCase{ "GridBox", [] { return Cuboid(1.0, 2.0, 3.0, 12, 0.0); } },
-    GeneratedCase{ "JitteredBox", [] { return Cuboid(1.0, 2.0, 3.0, 12, 0.2); } }),
+    GeneratedCase{ "HillsWithHole", HillsWithHole },
+    GeneratedCase{ "JitteredCube", [] { return Box(8, 8, 8, 0.2); } },
+    GeneratedCase{ "GridCube", [] { return Box(8, 8, 8, 0.0); } },
+    GeneratedCase{ "GridBox", [] { return Box(4, 8, 12, 0.0); } },
+    GeneratedCase{ "JitteredBox", [] { return Box(4, 8, 12, 0.2); } }),
   [](const testing::TestParamInfo<GeneratedCase>& info) { return info.param.Name; });
 
 void CompareFile(const std::string& file)
