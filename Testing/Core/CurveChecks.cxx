@@ -2,13 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CurveChecks.h"
 
-#include <algorithm>
-#include <cmath>
-#include <functional>
-#include <map>
-#include <set>
-#include <utility>
-
 namespace dggtest
 {
 namespace

@@ -12,8 +12,6 @@
 #include "dggExactGeodesics.h"
 #include "dggSourceFinding.h"
 
-#include <vector>
-
 namespace dggtest
 {
 /// A field of exact distances with the results that it refers to.

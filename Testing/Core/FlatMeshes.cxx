@@ -2,9 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TestMeshes.h"
 
-#include <algorithm>
-#include <cmath>
-#include <map>
 #include <stdexcept>
 
 namespace dggtest

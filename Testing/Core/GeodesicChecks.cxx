@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "GeodesicChecks.h"
 
-#include <algorithm>
-#include <cmath>
 #include <sstream>
 
 namespace dggtest

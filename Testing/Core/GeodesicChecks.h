@@ -9,10 +9,6 @@
 
 #include "dggExactGeodesics.h"
 
-#include <functional>
-#include <string>
-#include <vector>
-
 namespace dggtest
 {
 /// Base of tests that run once with each engine.

@@ -4,12 +4,9 @@
 
 #include "GeodesicChecks.h"
 
-#include <algorithm>
 #include <atomic>
-#include <cmath>
 #include <cstring>
 #include <exception>
-#include <functional>
 #include <queue>
 #include <stdexcept>
 #include <thread>

@@ -11,11 +11,6 @@
 #include "dggGraphBuilder.h"
 #include "dggVirtualSources.h"
 
-#include <functional>
-#include <string>
-#include <utility>
-#include <vector>
-
 namespace dgg
 {
 /// Compares arrays of virtual sources in expectations.

@@ -11,10 +11,6 @@
 #include "dggGraphicsRefinement.h"
 #include "dggVectorGraphics.h"
 
-#include <array>
-#include <cmath>
-#include <functional>
-
 namespace dggtest
 {
 using dgg::GraphicsCurve;

@@ -11,12 +11,7 @@
 #include "dggGreensFunction.h"
 #include "dggSurfacePath.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <complex>
-#include <memory>
-#include <vector>
 
 namespace dggtest
 {

@@ -5,12 +5,6 @@
 #include "dggEdges.h"
 #include "dggSurfacePath.h"
 
-#include <algorithm>
-#include <cmath>
-#include <numeric>
-#include <set>
-#include <utility>
-
 namespace dggtest
 {
 using namespace dgg;

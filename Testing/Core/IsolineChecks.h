@@ -9,11 +9,6 @@
 
 #include "dggIsolines.h"
 
-#include <array>
-#include <map>
-#include <string>
-#include <vector>
-
 namespace dggtest
 {
 dgg::Isolines Trace(const dgg::DistanceField& field, const std::vector<double>& levels,

@@ -10,10 +10,6 @@
 #include "dggHandleLoops.h"
 #include "dggLoopFinder.h"
 
-#include <cmath>
-#include <memory>
-#include <vector>
-
 namespace dggtest
 {
 /// Triangulation of the ends of a prism.

@@ -7,9 +7,6 @@
 #include "dggExactGeodesics.h"
 #include "dggExactPath.h"
 
-#include <algorithm>
-#include <array>
-
 namespace dggtest
 {
 namespace

@@ -9,8 +9,6 @@
 
 #include "dggSurfacePath.h"
 
-#include <vector>
-
 namespace dggtest
 {
 std::vector<dgg::SurfacePoint> AtVertices(const std::vector<Id>& vertices);

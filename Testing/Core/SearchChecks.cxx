@@ -4,10 +4,6 @@
 
 #include "TestMeshes.h"
 
-#include <algorithm>
-#include <cmath>
-#include <utility>
-
 namespace dggtest
 {
 using dgg::GraphConstruction;

@@ -10,11 +10,6 @@
 #include "dggGraphSearch.h"
 #include "dggSurfaceMesh.h"
 
-#include <functional>
-#include <memory>
-#include <string>
-#include <vector>
-
 namespace dggtest
 {
 /// A mesh, its graph, and a search in the graph.

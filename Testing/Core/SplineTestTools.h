@@ -12,9 +12,6 @@
 #include "dggSplineCells.h"
 #include "dggSplineSites.h"
 
-#include <functional>
-#include <vector>
-
 namespace dggtest
 {
 inline std::vector<NamedMesh> SmallMeshes()

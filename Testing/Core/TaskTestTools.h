@@ -12,8 +12,6 @@
 #include "dggStoredGraph.h"
 #include "dggTaskContext.h"
 
-#include <vector>
-
 namespace dggtest
 {
 /// Arrays of a test mesh, which must outlive them.

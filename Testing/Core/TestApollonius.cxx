@@ -10,11 +10,6 @@
 #include "dggApolloniusDiagram.h"
 #include "dggIsolines.h"
 
-#include <algorithm>
-#include <cmath>
-#include <utility>
-#include <vector>
-
 using namespace dgg;
 using namespace dggtest;
 

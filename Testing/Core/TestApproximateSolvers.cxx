@@ -1,18 +1,16 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Common properties of the heat method and of fast marching: accuracy, robustness, invariances.
+// Common properties of the heat method, fast marching and the propagation of virtual sources:
+// accuracy, several sources, virtual sources, robustness, invariances. Fast marching against closed
+// forms.
 #include "EdgeGraph.h"
 #include "GeodesicChecks.h"
 #include "TestMeshes.h"
 
 #include "dggFastMarching.h"
 #include "dggHeatMethod.h"
+#include "dggSourcePropagation.h"
 #include "dggSurfacePath.h"
-
-#include <algorithm>
-#include <cmath>
-#include <functional>
-#include <string>
 
 namespace dggtest
 {
@@ -25,170 +23,76 @@ struct Field
   dgg::VirtualSources Virtual;
 };
 
+using Sources = std::vector<dgg::GeodesicSource>;
+
 struct Approximation
 {
   std::string Name;
-  std::function<Field(const dgg::SurfaceMesh&, const dgg::GeodesicSource&)> Run;
+  std::function<Field(const dgg::SurfaceMesh&, const Sources&)> Run;
   bool IsHeat;
+  double Rounding; ///< relative rounding error; propagation uses single precision
 };
 
-Field March(
-  const dgg::SurfaceMesh& mesh, const dgg::GeodesicSource& source, dgg::MarchingUpdate update)
+Field March(const dgg::SurfaceMesh& mesh, const Sources& sources, dgg::MarchingUpdate update)
 {
   dgg::MarchingOptions options;
   options.Update = update;
   options.WantVirtualSource = true;
   dgg::MarchingResult result;
-  EXPECT_TRUE(dgg::FastMarching(mesh).Run({ source }, options, result).IsOk());
+  EXPECT_TRUE(Ok(dgg::FastMarching(mesh).Run(sources, options, result)));
   return { result.Distances, result.NearestSource, result.Virtual };
 }
 
-Field Heat(const dgg::SurfaceMesh& mesh, const dgg::GeodesicSource& source,
-  dgg::HeatBoundary boundary, bool isDelaunay)
+Field Heat(
+  const dgg::SurfaceMesh& mesh, const Sources& sources, dgg::HeatBoundary boundary, bool isDelaunay)
 {
   dgg::HeatMethod heat(mesh);
   dgg::HeatOptions options;
   options.Boundary = boundary;
   options.IntrinsicDelaunay = isDelaunay;
-  EXPECT_TRUE(heat.Prepare(options, nullptr).IsOk());
+  EXPECT_TRUE(Ok(heat.Prepare(options, nullptr)));
   dgg::HeatQuery query;
   query.WantNearestSource = true;
   query.WantVirtualSource = true;
   dgg::HeatResult result;
-  EXPECT_TRUE(heat.Run({ source }, query, result).IsOk());
+  EXPECT_TRUE(Ok(heat.Run(sources, query, result)));
   return { result.Distances, result.NearestSource, result.Virtual };
 }
 
-/// Returns the tested methods, fast marching first.
+Field Propagate(
+  const dgg::SurfaceMesh& mesh, const Sources& sources, dgg::PropagationQuality quality)
+{
+  dgg::PropagationOptions options;
+  options.Quality = quality;
+  options.WantNearestSource = true;
+  options.WantVirtualSource = true;
+  dgg::PropagationResult result;
+  EXPECT_TRUE(Ok(dgg::SourcePropagation(mesh).Run(sources, options, result)));
+  return { result.Distances, result.NearestSource, result.Virtual };
+}
+
 std::vector<Approximation> Approximations()
 {
   using Mesh = dgg::SurfaceMesh;
-  using Source = dgg::GeodesicSource;
   using Boundary = dgg::HeatBoundary;
+  using Quality = dgg::PropagationQuality;
   using Update = dgg::MarchingUpdate;
   const auto marching = [](Update update) {
-    return [update](const Mesh& mesh, const Source& s) { return March(mesh, s, update); };
+    return [update](const Mesh& mesh, const Sources& s) { return March(mesh, s, update); };
   };
   const auto heat = [](Boundary boundary, bool isDelaunay) {
-    return [=](const Mesh& mesh, const Source& s) { return Heat(mesh, s, boundary, isDelaunay); };
+    return [=](const Mesh& mesh, const Sources& s) { return Heat(mesh, s, boundary, isDelaunay); };
   };
-  return { { "spherical", marching(Update::Spherical), false },
-    { "planar", marching(Update::Planar), false },
-    { "heat, no flips", heat(Boundary::Neumann, false), true },
-    { "heat, average", heat(Boundary::Average, true), true },
-    { "heat", heat(Boundary::Neumann, true), true } };
-}
-}
-
-TEST(ApproximateSolvers, CloseToExactOnSoundMeshes)
-{
-  for (const NamedMesh& named : SoundMeshes())
-  {
-    // Fronts are inaccurate in triangles of aspect ratio 1:20.
-    const bool isLong = named.Name.find("Ellipsoid20") != std::string::npos;
-    const dgg::SurfaceMesh mesh = Build(named.Mesh);
-    const auto point = dgg::SurfacePoint::InFace(mesh, 1, { { 0.2, 0.3, 0.5 } });
-    for (const dgg::GeodesicSource& source : { VertexSource(0), dgg::GeodesicSource{ point, 0.0 } })
-    {
-      const auto exact = Solve(mesh, dgg::ExactEngine::Triangle, { source }).Distances;
-      for (const Approximation& approximation : Approximations())
-      {
-        if (approximation.Name != "spherical" && approximation.Name != "heat")
-        {
-          continue;
-        }
-        SCOPED_TRACE(named.Name + ", " + approximation.Name);
-        const Errors errors = Compare(approximation.Run(mesh, source).Distances, exact);
-        EXPECT_LT(errors.Mean, approximation.IsHeat ? 0.25 : isLong ? 0.15 : 0.03);
-        EXPECT_TRUE(approximation.IsHeat || errors.Largest < (isLong ? 5.0 : 0.3));
-      }
-    }
-  }
-}
-
-TEST(ApproximateSolvers, AnyTrianglesWillDo)
-{
-  for (const NamedMesh& named : DefectMeshesAndSoups(100))
-  {
-    const dgg::SurfaceMesh mesh = Build(named.Mesh);
-    for (const Id v : { 0, mesh.GetNumberOfVertices() - 1 })
-    {
-      const auto bound = EdgeGraphDistances(mesh, { VertexSource(v) });
-      const double diameter = LargestFinite(bound);
-      for (const Approximation& approximation : Approximations())
-      {
-        SCOPED_TRACE(named.Name + ", " + approximation.Name);
-        const Field field = approximation.Run(mesh, VertexSource(v));
-        ASSERT_EQ(field.Distances.size(), bound.size());
-        for (std::size_t u = 0; u < bound.size(); ++u)
-        {
-          const bool isReached = bound[u] < dgg::Infinity;
-          ASSERT_EQ(field.Distances[u] < dgg::Infinity, isReached) << u;
-          ASSERT_EQ(field.NearestSource[u], isReached ? 0 : dgg::NoId) << u;
-          ASSERT_GE(field.Distances[u], 0.0); // false for NaN
-          ASSERT_LE(field.Distances[u],
-            approximation.IsHeat && isReached ? 20.0 * diameter : bound[u] + 1e-9 * diameter);
-          ASSERT_TRUE(!isReached || std::isfinite(field.Virtual[u].Angle)) << u;
-        }
-      }
-    }
-  }
-}
-
-TEST(ApproximateSolvers, Invariance)
-{
-  const TestMesh input = NoisySphere(3, 0.2, 9);
-  for (const Approximation& approximation : Approximations())
-  {
-    SCOPED_TRACE(approximation.Name);
-    const auto run = [&](const TestMesh& mesh, Id source) {
-      return approximation.Run(Build(mesh), VertexSource(source)).Distances;
-    };
-    const auto base = run(input, 5);
-    for (const double factor : { 1e-60, 1e-6, 1e6, 1e60 })
-    {
-      const auto scaled = run(Scaled(input, factor), 5);
-      for (std::size_t v = 0; v < base.size(); ++v)
-      {
-        EXPECT_NEAR(scaled[v] / factor, base[v], 1e-9) << factor;
-      }
-    }
-    const auto moved = run(MovedRigidly(input, 1.1, { { 3.0, -2.0, 1.0 } }), 5);
-    ExpectSameField(base, moved, 1e-9, "moved");
-    const auto newIds = RandomPermutation(input.GetNumberOfVertices(), 4);
-    const auto renumbered = run(Renumbered(input, newIds, 6), newIds[5]);
-    for (std::size_t v = 0; v < base.size(); ++v)
-    {
-      EXPECT_NEAR(renumbered[newIds[v]], base[v], 1e-9);
-    }
-  }
-}
-
-// Fast marching against closed forms and exact distances.
-
-namespace
-{
-dgg::MarchingResult March(const dgg::SurfaceMesh& mesh,
-  const std::vector<dgg::GeodesicSource>& sources,
-  const std::function<void(dgg::MarchingOptions&)>& change = nullptr)
-{
-  dgg::MarchingOptions options;
-  if (change)
-  {
-    change(options);
-  }
-  dgg::MarchingResult result;
-  EXPECT_TRUE(Ok(dgg::FastMarching(mesh).Run(sources, options, result)));
-  return result;
-}
-
-void Planar(dgg::MarchingOptions& options)
-{
-  options.Update = dgg::MarchingUpdate::Planar;
-}
-void WithVirtual(dgg::MarchingOptions& options)
-{
-  options.WantVirtualSource = true;
+  const auto propagation = [](Quality quality) {
+    return [quality](const Mesh& mesh, const Sources& s) { return Propagate(mesh, s, quality); };
+  };
+  return { { "spherical", marching(Update::Spherical), false, 1e-9 },
+    { "planar", marching(Update::Planar), false, 1e-9 },
+    { "heat, no flips", heat(Boundary::Neumann, false), true, 1e-9 },
+    { "heat, average", heat(Boundary::Average, true), true, 1e-9 },
+    { "heat", heat(Boundary::Neumann, true), true, 1e-9 },
+    { "propagation", propagation(Quality::Fast), false, 1e-5 },
+    { "propagation, high quality", propagation(Quality::High), false, 1e-5 } };
 }
 
 /// Returns a plane of nearly equilateral triangles, without obtuse corners up to a jitter of 0.1.
@@ -216,7 +120,172 @@ TestMesh AcutePlane(Id columns, Id rows, double jitter, std::uint64_t seed)
   }
   return mesh;
 }
+}
 
+TEST(ApproximateSolvers, SeveralSourcesWithInitialDistances)
+{
+  const dgg::SurfaceMesh mesh = Build(Plane(24, 24, 0.1, 5));
+  // Source 3 is never the nearest one.
+  const Sources sources{ VertexSource(20, -3.0), VertexSource(200, 1.0), VertexSource(580, 0.5),
+    VertexSource(201, 9.0), { dgg::SurfacePoint::InFace(mesh, 600, { { 0.2, 0.3, 0.5 } }), 2.0 },
+    { dgg::SurfacePoint::OnEdge(mesh, 2200, 0.3), 1.5 }, VertexSource(580, 0.75) };
+  const dgg::ExactResult exact = Solve(mesh, dgg::ExactEngine::Triangle, sources);
+  for (const Approximation& approximation : Approximations())
+  {
+    SCOPED_TRACE(approximation.Name);
+    const Field field = approximation.Run(mesh, sources);
+    const double tolerance = approximation.IsHeat ? 2.0
+      : approximation.Name == "planar"            ? 0.6
+                                                  : 0.1;
+    Id agreeing = 0;
+    for (Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
+    {
+      EXPECT_NEAR(field.Distances[v], exact.Distances[v], tolerance) << v;
+      EXPECT_NE(field.NearestSource[v], 3) << v;
+      agreeing += field.NearestSource[v] == exact.NearestSource[v] ? 1 : 0;
+    }
+    EXPECT_GT(agreeing, 0.93 * mesh.GetNumberOfVertices());
+    EXPECT_EQ(field.Distances[20], -3.0);
+  }
+}
+
+TEST(ApproximateSolvers, VirtualSourcesInThePlane)
+{
+  const TestMesh plane = AcutePlane(24, 24, 0.1, 5);
+  const dgg::SurfaceMesh mesh = Build(plane);
+  const Id source = 12 * 25 + 10;
+  for (const Approximation& approximation : Approximations())
+  {
+    SCOPED_TRACE(approximation.Name);
+    const Field field = approximation.Run(mesh, { VertexSource(source, 2.0) });
+    for (Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
+    {
+      const dgg::VirtualSource& image = field.Virtual[v];
+      EXPECT_NEAR(image.Offset + image.Length, field.Distances[v], 1e-9) << v;
+      if (v == source || approximation.Name == "planar")
+      {
+        continue;
+      }
+      EXPECT_NEAR(image.Offset, 2.0, 10.0 * approximation.Rounding) << v;
+      // Heat gives only approximate directions, away from the source and from the boundary.
+      const double far = EuclideanDistance(plane, source, v);
+      if (!approximation.IsHeat || (far > 3.0 && mesh.Kind(v) == dgg::VertexKind::Flat))
+      {
+        const double turn = std::remainder(
+          FanAngle(plane, mesh, v) + image.Angle - DirectionOf(plane, v, source), 2.0 * dgg::Pi);
+        EXPECT_LT(std::abs(turn), approximation.IsHeat ? 0.4 : 1e-3) << v;
+      }
+    }
+  }
+}
+
+TEST(ApproximateSolvers, CloseToExactOnSoundMeshes)
+{
+  for (const NamedMesh& named : SoundMeshes())
+  {
+    // Fronts are inaccurate in triangles of aspect ratio 1:20.
+    const bool isLong = named.Name.find("Ellipsoid20") != std::string::npos;
+    const dgg::SurfaceMesh mesh = Build(named.Mesh);
+    const auto point = dgg::SurfacePoint::InFace(mesh, 1, { { 0.2, 0.3, 0.5 } });
+    for (const dgg::GeodesicSource& source : { VertexSource(0), dgg::GeodesicSource{ point, 0.0 } })
+    {
+      const auto exact = Solve(mesh, dgg::ExactEngine::Triangle, { source }).Distances;
+      for (const Approximation& approximation : Approximations())
+      {
+        if (approximation.Name != "spherical" && approximation.Name != "heat")
+        {
+          continue;
+        }
+        SCOPED_TRACE(named.Name + ", " + approximation.Name);
+        const Errors errors = Compare(approximation.Run(mesh, { source }).Distances, exact);
+        EXPECT_LT(errors.Mean, approximation.IsHeat ? 0.25 : isLong ? 0.15 : 0.03);
+        EXPECT_TRUE(approximation.IsHeat || errors.Largest < (isLong ? 5.0 : 0.3));
+      }
+    }
+  }
+}
+
+TEST(ApproximateSolvers, AnyTrianglesWillDo)
+{
+  for (const NamedMesh& named : DefectMeshesAndSoups(100))
+  {
+    const dgg::SurfaceMesh mesh = Build(named.Mesh);
+    for (const Id v : { 0, mesh.GetNumberOfVertices() - 1 })
+    {
+      const auto bound = EdgeGraphDistances(mesh, { VertexSource(v) });
+      const double diameter = LargestFinite(bound);
+      for (const Approximation& approximation : Approximations())
+      {
+        SCOPED_TRACE(named.Name + ", " + approximation.Name);
+        const Field field = approximation.Run(mesh, { VertexSource(v) });
+        ASSERT_EQ(field.Distances.size(), bound.size());
+        for (std::size_t u = 0; u < bound.size(); ++u)
+        {
+          const bool isReached = bound[u] < dgg::Infinity;
+          ASSERT_EQ(field.Distances[u] < dgg::Infinity, isReached) << u;
+          ASSERT_EQ(field.NearestSource[u], isReached ? 0 : dgg::NoId) << u;
+          ASSERT_GE(field.Distances[u], 0.0); // false for NaN
+          ASSERT_LE(field.Distances[u],
+            approximation.IsHeat && isReached ? 20.0 * diameter
+                                              : bound[u] + approximation.Rounding * diameter);
+          ASSERT_TRUE(!isReached || std::isfinite(field.Virtual[u].Angle)) << u;
+        }
+      }
+    }
+  }
+}
+
+TEST(ApproximateSolvers, Invariance)
+{
+  const TestMesh input = NoisySphere(3, 0.2, 9);
+  for (const Approximation& approximation : Approximations())
+  {
+    SCOPED_TRACE(approximation.Name);
+    const auto run = [&](const TestMesh& mesh, Id source) {
+      return approximation.Run(Build(mesh), { VertexSource(source) }).Distances;
+    };
+    const auto base = run(input, 5);
+    for (const double factor : { 1e-60, 1e-6, 1e6, 1e60 })
+    {
+      const auto scaled = run(Scaled(input, factor), 5);
+      for (std::size_t v = 0; v < base.size(); ++v)
+      {
+        EXPECT_NEAR(scaled[v] / factor, base[v], approximation.Rounding) << factor;
+      }
+    }
+    const auto moved = run(MovedRigidly(input, 1.1, { { 3.0, -2.0, 1.0 } }), 5);
+    ExpectSameField(base, moved, approximation.Rounding, "moved");
+    const auto newIds = RandomPermutation(input.GetNumberOfVertices(), 4);
+    const auto renumbered = run(Renumbered(input, newIds, 6), newIds[5]);
+    for (std::size_t v = 0; v < base.size(); ++v)
+    {
+      EXPECT_NEAR(renumbered[newIds[v]], base[v], approximation.Rounding);
+    }
+  }
+}
+
+// Fast marching against closed forms and exact distances.
+
+namespace
+{
+dgg::MarchingResult March(const dgg::SurfaceMesh& mesh,
+  const std::vector<dgg::GeodesicSource>& sources,
+  const std::function<void(dgg::MarchingOptions&)>& change = nullptr)
+{
+  dgg::MarchingOptions options;
+  if (change)
+  {
+    change(options);
+  }
+  dgg::MarchingResult result;
+  EXPECT_TRUE(Ok(dgg::FastMarching(mesh).Run(sources, options, result)));
+  return result;
+}
+
+void Planar(dgg::MarchingOptions& options)
+{
+  options.Update = dgg::MarchingUpdate::Planar;
+}
 /// Returns sources at all vertices of a plane with y = 0.
 std::vector<dgg::GeodesicSource> BottomRow(const TestMesh& plane)
 {
@@ -339,55 +408,6 @@ TEST(FastMarching, SourcesAnywhere)
       // Exact except in triangles that are obtuse as seen from the source.
       EXPECT_NEAR(distances[v], 0.25 + expected, 2e-3) << v;
     }
-  }
-}
-
-TEST(FastMarching, SeveralSourcesAndInitialDistances)
-{
-  const TestMesh plane = Plane(16, 16, 0.1, 5);
-  const dgg::SurfaceMesh mesh = Build(plane);
-  const std::vector<dgg::GeodesicSource> sources{ VertexSource(20, -3.0), VertexSource(200, 1.0),
-    VertexSource(280, 0.5), VertexSource(201, 9.0) };
-  const dgg::MarchingResult result = March(mesh, sources);
-  for (Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
-  {
-    std::vector<double> single;
-    for (const dgg::GeodesicSource& source : sources)
-    {
-      single.push_back(source.InitialDistance + EuclideanDistance(plane, source.Point.Vertex, v));
-    }
-    const double expected = *std::min_element(single.begin(), single.end());
-    // Within the triangles where fronts meet, one of the sources represents both.
-    EXPECT_NEAR(result.Distances[v], expected, 0.05) << v;
-    ASSERT_GE(result.NearestSource[v], 0);
-    EXPECT_NEAR(single[result.NearestSource[v]], expected, 0.5) << v;
-    EXPECT_NE(result.NearestSource[v], 3) << "a source that is never the nearest";
-  }
-  EXPECT_EQ(result.Distances[20], -3.0);
-}
-
-TEST(FastMarching, VirtualSourcesInThePlane)
-{
-  const TestMesh plane = AcutePlane(12, 12, 0.1, 5);
-  const dgg::SurfaceMesh mesh = Build(plane);
-  const Id source = 80;
-  const dgg::MarchingResult result = March(mesh, { VertexSource(source, 2.0) }, WithVirtual);
-  for (Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
-  {
-    EXPECT_NEAR(
-      result.Virtual[v].Offset + result.Virtual[v].Length, result.Distances[v], 1e-12 * 20.0);
-    if (v == source)
-    {
-      continue;
-    }
-    EXPECT_NEAR(result.Virtual[v].Offset, 2.0, 1e-12) << v;
-    const double angle = FanAngle(plane, mesh, v) + result.Virtual[v].Angle;
-    EXPECT_NEAR(
-      plane.Point(v)[0] + result.Virtual[v].Length * std::cos(angle), plane.Point(source)[0], 1e-6)
-      << v;
-    EXPECT_NEAR(
-      plane.Point(v)[1] + result.Virtual[v].Length * std::sin(angle), plane.Point(source)[1], 1e-6)
-      << v;
   }
 }
 

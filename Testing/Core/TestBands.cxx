@@ -12,10 +12,6 @@
 #include "dggIsolines.h"
 #include "dggUnfolding.h"
 
-#include <algorithm>
-#include <cmath>
-#include <vector>
-
 using namespace dgg;
 using namespace dggtest;
 

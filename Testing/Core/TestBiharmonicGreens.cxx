@@ -9,12 +9,6 @@
 #include "dggPoissonSystem.h"
 #include "dggSpectralDistance.h"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <string>
-#include <vector>
-
 namespace dggtest
 {
 namespace

@@ -11,12 +11,6 @@
 #include "dggGreensColumn.h"
 #include "dggPoissonSystem.h"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <string>
-#include <vector>
-
 namespace dggtest
 {
 namespace

@@ -8,11 +8,6 @@
 #include "dggCentroidal.h"
 #include "dggSurfacePath.h"
 
-#include <array>
-#include <cmath>
-#include <string>
-#include <vector>
-
 namespace dggtest
 {
 namespace

@@ -8,12 +8,6 @@
 #include "dggCentroidal.h"
 #include "dggOutliers.h"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <memory>
-#include <vector>
-
 namespace dggtest
 {
 namespace

@@ -12,9 +12,6 @@
 #include "dggExactGeodesics.h"
 #include "dggFaceProfile.h"
 
-#include <algorithm>
-#include <cmath>
-
 using namespace dgg;
 using namespace dggtest;
 

@@ -7,8 +7,6 @@
 
 #include "dggEarthMovers.h"
 
-#include <cmath>
-
 namespace dggtest
 {
 namespace

@@ -6,11 +6,6 @@
 
 #include "dggSurfacePath.h"
 
-#include <algorithm>
-#include <cmath>
-#include <utility>
-#include <vector>
-
 namespace dggtest
 {
 class ExactPlane : public EngineTest

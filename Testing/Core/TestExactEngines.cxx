@@ -9,10 +9,7 @@
 
 #include "dggMeshReport.h"
 
-#include <algorithm>
 #include <chrono>
-#include <cmath>
-#include <vector>
 
 namespace dggtest
 {

@@ -7,10 +7,7 @@
 
 #include "dggExactPath.h"
 
-#include <algorithm>
-#include <cmath>
 #include <cstddef>
-#include <string>
 
 namespace dggtest
 {

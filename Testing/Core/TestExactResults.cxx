@@ -7,10 +7,6 @@
 
 #include "dggWindowEnvelope.h"
 
-#include <algorithm>
-#include <cmath>
-#include <random>
-
 namespace dggtest
 {
 namespace

@@ -7,9 +7,6 @@
 
 #include "dggSurfacePath.h"
 
-#include <algorithm>
-#include <cmath>
-
 namespace dggtest
 {
 namespace

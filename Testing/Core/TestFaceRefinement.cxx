@@ -14,12 +14,6 @@
 #include "dggFaceRefinement.h"
 #include "dggVoronoi.h"
 
-#include <algorithm>
-#include <cmath>
-#include <numeric>
-#include <set>
-#include <vector>
-
 namespace dggtest
 {
 namespace

@@ -5,12 +5,6 @@
 #include "GraphChecks.h"
 #include "TestMeshes.h"
 
-#include <algorithm>
-#include <cmath>
-#include <functional>
-#include <string>
-#include <vector>
-
 namespace dggtest
 {
 namespace

@@ -5,10 +5,6 @@
 #include "SearchChecks.h"
 #include "TestMeshes.h"
 
-#include <cmath>
-#include <string>
-#include <vector>
-
 namespace dggtest
 {
 namespace

@@ -5,12 +5,6 @@
 #include "GraphChecks.h"
 #include "TestMeshes.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <utility>
-#include <vector>
-
 namespace dggtest
 {
 namespace

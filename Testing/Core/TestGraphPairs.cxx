@@ -10,13 +10,6 @@
 #include "dggHeap.h"
 #include "dggSourceGroups.h"
 
-#include <algorithm>
-#include <cmath>
-#include <functional>
-#include <set>
-#include <string>
-#include <vector>
-
 namespace dggtest
 {
 namespace

@@ -14,13 +14,6 @@
 #include "dggSurfaceOrder.h"
 #include "dggUnfoldingTable.h"
 
-#include <cmath>
-#include <functional>
-#include <limits>
-#include <map>
-#include <set>
-#include <vector>
-
 namespace dggtest
 {
 namespace

@@ -16,11 +16,6 @@
 #include "dggSourceFinding.h"
 #include "dggTurnLimits.h"
 
-#include <algorithm>
-#include <cmath>
-#include <string>
-#include <vector>
-
 namespace dggtest
 {
 namespace

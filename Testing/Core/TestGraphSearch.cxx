@@ -6,12 +6,6 @@
 
 #include "dggBucketSearch.h"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <string>
-#include <vector>
-
 namespace dggtest
 {
 namespace

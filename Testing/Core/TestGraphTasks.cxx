@@ -7,11 +7,6 @@
 #include "dggMatrixSearch.h"
 #include "dggPathSearch.h"
 
-#include <cmath>
-#include <limits>
-#include <memory>
-#include <vector>
-
 namespace dggtest
 {
 namespace

@@ -8,12 +8,7 @@
 #include "SearchChecks.h"
 #include "TestMeshes.h"
 
-#include <algorithm>
 #include <chrono>
-#include <cmath>
-#include <functional>
-#include <numeric>
-#include <vector>
 
 namespace dggtest
 {

@@ -8,11 +8,7 @@
 #include "dggGreensInterpolation.h"
 #include "dggPoissonSystem.h"
 
-#include <algorithm>
-#include <cmath>
 #include <complex>
-#include <numeric>
-#include <string>
 
 namespace dggtest
 {

@@ -8,12 +8,6 @@
 
 #include "dggPoissonSystem.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <numeric>
-#include <string>
-
 namespace dggtest
 {
 TEST(GreensFunction, LocalizedReproducesDistances)

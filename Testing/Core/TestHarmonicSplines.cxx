@@ -9,14 +9,7 @@
 
 #include "dggPoissonSystem.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <functional>
 #include <iterator>
-#include <set>
-#include <string>
-#include <vector>
 
 namespace dggtest
 {

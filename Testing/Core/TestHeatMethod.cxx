@@ -7,9 +7,6 @@
 #include "dggHeatMethod.h"
 #include "dggLaplaceSystem.h"
 
-#include <algorithm>
-#include <cmath>
-
 namespace dggtest
 {
 namespace
@@ -158,36 +155,6 @@ TEST(HeatMethod, LittleHeatIsAsGoodAsMuch)
     doubles, heat.Run({ VertexSource(5), VertexSource(60, near) }).Distances, 1e-9, "field");
 }
 
-TEST(HeatMethod, InitialDistances)
-{
-  const TestMesh plane = Plane(60, 20, 0.1, 4);
-  const dgg::SurfaceMesh mesh = Build(plane);
-  const Heat heat(mesh);
-  const Id a = 10 * 61 + 8;
-  const Id b = 10 * 61 + 52;
-  dgg::HeatQuery query;
-  query.WantNearestSource = true;
-  for (const double offset : { 0.0, 8.0, -16.0, 100.0 })
-  {
-    SCOPED_TRACE(offset);
-    const std::vector<dgg::GeodesicSource> sources{ VertexSource(a, 3.0),
-      VertexSource(b, 3.0 + offset) };
-    const dgg::HeatResult result = heat.Run(sources, query);
-    const auto exact = Solve(mesh, dgg::ExactEngine::Triangle, sources);
-    Id agreeing = 0;
-    for (Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
-    {
-      EXPECT_NEAR(result.Distances[v], exact.Distances[v], 1.5) << v;
-      agreeing += result.NearestSource[v] == exact.NearestSource[v] ? 1 : 0;
-    }
-    EXPECT_GT(agreeing, 0.93 * mesh.GetNumberOfVertices());
-    EXPECT_LE(result.Distances[a], 3.0);
-    EXPECT_LE(result.Distances[b], 3.0 + offset);
-    EXPECT_EQ(*std::min_element(result.Distances.begin(), result.Distances.end()),
-      std::min(3.0, 3.0 + offset));
-  }
-}
-
 TEST(HeatMethod, SourcesAnywhere)
 {
   const TestMesh plane = Plane(30, 30, 0.2, 5);
@@ -237,31 +204,6 @@ TEST(HeatMethod, Boundaries)
   EXPECT_LT(MeanError(average.Run({ VertexSource(3) }).Distances,
               DistancesFrom(mesh, dgg::ExactEngine::Triangle, 3)),
     0.12);
-}
-
-TEST(HeatMethod, VirtualSources)
-{
-  const TestMesh plane = Plane(30, 30, 0.15, 5);
-  const dgg::SurfaceMesh mesh = Build(plane);
-  const Id source = 15 * 31 + 12;
-  dgg::HeatQuery query;
-  query.WantVirtualSource = true;
-  const dgg::HeatResult result = Heat(mesh).Run({ VertexSource(source, 2.0) }, query);
-  EXPECT_TRUE(result.NearestSource.empty());
-  double worst = 0.0;
-  for (Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
-  {
-    EXPECT_NEAR(result.Virtual[v].Offset + result.Virtual[v].Length, result.Distances[v], 1e-11);
-    EXPECT_NEAR(result.Virtual[v].Offset, 2.0, 1e-12);
-    if (EuclideanDistance(plane, source, v) > 3.0 && mesh.Kind(v) == dgg::VertexKind::Flat)
-    {
-      const double turn = std::remainder(
-        FanAngle(plane, mesh, v) + result.Virtual[v].Angle - DirectionOf(plane, v, source),
-        2.0 * dgg::Pi);
-      worst = std::max(worst, std::abs(turn));
-    }
-  }
-  EXPECT_LT(worst, 0.4);
 }
 
 namespace

@@ -11,12 +11,6 @@
 #include "dggGraphSearch.h"
 #include "dggIsolines.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <utility>
-#include <vector>
-
 using namespace dgg;
 using namespace dggtest;
 

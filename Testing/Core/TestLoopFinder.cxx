@@ -6,12 +6,6 @@
 #include "PathChecks.h"
 #include "TestMeshes.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <map>
-#include <utility>
-
 namespace dggtest
 {
 namespace

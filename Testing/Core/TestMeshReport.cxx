@@ -7,12 +7,6 @@
 #include "dggEdges.h"
 #include "dggMeshReport.h"
 
-#include <algorithm>
-#include <cmath>
-#include <random>
-#include <string>
-#include <vector>
-
 namespace dggtest
 {
 namespace

@@ -2,11 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TestMeshes.h"
 
-#include <cmath>
-#include <map>
-#include <numeric>
 #include <stdexcept>
-#include <utility>
 
 namespace dggtest
 {

@@ -10,13 +10,20 @@
 
 #include <gtest/gtest.h>
 
+// Headers that most tests of the kernel use.
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <map>
+#include <memory>
+#include <numeric>
 #include <random>
+#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace dggtest

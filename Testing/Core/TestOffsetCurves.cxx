@@ -7,11 +7,6 @@
 
 #include "dggOffsetCurves.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <utility>
-
 namespace dggtest
 {
 namespace

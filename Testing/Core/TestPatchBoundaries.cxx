@@ -9,10 +9,6 @@
 #include "dggSurfaceCut.h"
 #include "dggSurfaceRefinement.h"
 
-#include <algorithm>
-#include <cmath>
-#include <set>
-
 namespace dggtest
 {
 namespace

@@ -9,10 +9,6 @@
 #include "dggPathCorridor.h"
 #include "dggSurfaceRefinement.h"
 
-#include <string>
-#include <utility>
-#include <vector>
-
 namespace dggtest
 {
 namespace

@@ -11,9 +11,6 @@
 #include "dggPathCorridor.h"
 #include "dggPathFinder.h"
 
-#include <algorithm>
-#include <memory>
-
 namespace dggtest
 {
 namespace

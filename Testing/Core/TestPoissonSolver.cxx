@@ -12,11 +12,6 @@
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/SparseCholesky>
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <string>
-#include <vector>
 
 namespace dggtest
 {

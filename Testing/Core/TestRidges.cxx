@@ -12,9 +12,6 @@
 #include "dggFieldJumps.h"
 #include "dggRidges.h"
 
-#include <algorithm>
-#include <cmath>
-
 using namespace dgg;
 using namespace dggtest;
 

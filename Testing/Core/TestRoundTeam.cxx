@@ -8,7 +8,6 @@
 #include <atomic>
 #include <stdexcept>
 #include <thread>
-#include <vector>
 
 namespace dggtest
 {

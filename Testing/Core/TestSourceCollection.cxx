@@ -7,12 +7,6 @@
 #include "dggSourceCollection.h"
 #include "dggSurfacePath.h"
 
-#include <array>
-#include <functional>
-#include <limits>
-#include <string>
-#include <vector>
-
 namespace dggtest
 {
 namespace

@@ -12,11 +12,6 @@
 #include "dggSourceFinding.h"
 #include "dggSurfacePath.h"
 
-#include <algorithm>
-#include <cmath>
-#include <random>
-#include <vector>
-
 using namespace dgg;
 using namespace dggtest;
 

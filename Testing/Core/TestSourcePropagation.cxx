@@ -9,11 +9,6 @@
 #include "dggSourcePropagation.h"
 #include "dggSurfacePath.h"
 
-#include <cmath>
-#include <functional>
-#include <utility>
-#include <vector>
-
 namespace dggtest
 {
 namespace
@@ -170,40 +165,6 @@ TEST_P(SourcePropagation, CloseToExact)
   }
 }
 
-TEST_P(SourcePropagation, SeveralSources)
-{
-  const TestMesh plane = Plane(24, 24, 0.2, 5);
-  const dgg::SurfaceMesh mesh = Build(plane);
-  Sources sources{ VertexSource(20, -3.0), VertexSource(200, 1.0), VertexSource(580, 0.5),
-    VertexSource(201, 9.0), { dgg::SurfacePoint::InFace(mesh, 600, { { 0.2, 0.3, 0.5 } }), 2.0 },
-    { dgg::SurfacePoint::OnEdge(mesh, 2200, 0.3), 1.5 }, VertexSource(580, 0.75) };
-  const dgg::PropagationResult result = this->Run(mesh, sources);
-  std::vector<std::vector<double>> single;
-  for (const dgg::GeodesicSource& source : sources)
-  {
-    single.push_back(this->Run(mesh, { source }).Distances);
-  }
-  for (Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
-  {
-    std::vector<std::pair<double, Id>> order;
-    for (std::size_t k = 0; k < sources.size(); ++k)
-    {
-      order.emplace_back(single[k][v], static_cast<Id>(k));
-    }
-    std::sort(order.begin(), order.end());
-    // Where fronts meet within a face, one source may represent both.
-    EXPECT_NEAR(result.Distances[v], order[0].first, 0.1) << v;
-    if (order[1].first - order[0].first > 1.5)
-    {
-      EXPECT_EQ(result.NearestSource[v], order[0].second) << v;
-      EXPECT_NEAR(result.Distances[v], order[0].first, 1e-4) << v;
-    }
-    EXPECT_NE(result.NearestSource[v], 3) << "a source that is never the nearest";
-  }
-  EXPECT_EQ(result.Distances[20], -3.0);
-  EXPECT_EQ(result.NearestSource[580], 2);
-}
-
 /// Distances are bounded by the edge graph, although faces store one virtual source and have
 /// corners nearest to other sources.
 TEST_P(SourcePropagation, NoLongerThanAlongEdges)
@@ -330,63 +291,6 @@ TEST_P(SourcePropagation, MaximumDistance)
     const auto none = this->Run(mesh, sources, [&](auto& o) { o.MaximumDistance = -1.0; });
     EXPECT_EQ(LargestFinite(none.Distances), 0.0);
     EXPECT_EQ(none.NearestSource[40], dgg::NoId);
-  }
-}
-
-TEST_P(SourcePropagation, AnyTrianglesWillDo)
-{
-  for (const NamedMesh& named : DefectMeshesAndSoups(100))
-  {
-    SCOPED_TRACE(named.Name);
-    const dgg::SurfaceMesh mesh = Build(named.Mesh);
-    for (const Id source : { 0, mesh.GetNumberOfVertices() - 1 })
-    {
-      const auto result = this->Run(mesh, { VertexSource(source) });
-      const auto bound = EdgeGraphDistances(mesh, { VertexSource(source) });
-      const double diameter = LargestFinite(bound);
-      for (Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
-      {
-        const bool isReached = bound[v] < dgg::Infinity;
-        ASSERT_EQ(result.Distances[v] < dgg::Infinity, isReached) << v;
-        ASSERT_EQ(result.NearestSource[v], isReached ? 0 : dgg::NoId) << v;
-        ASSERT_GE(result.Distances[v], 0.0) << v; // false for NaN
-        ASSERT_LE(result.Distances[v], isReached ? bound[v] + 1e-5 * diameter : dgg::Infinity) << v;
-        ASSERT_TRUE(!isReached || std::isfinite(result.Virtual[v].Angle)) << v;
-      }
-    }
-  }
-}
-
-TEST_P(SourcePropagation, VirtualSources)
-{
-  const TestMesh plane = Plane(20, 20, 0.2, 5);
-  const dgg::SurfaceMesh mesh = Build(plane);
-  Sources sources{ VertexSource(220, 2.0) };
-  for (const dgg::SurfacePoint& point : RandomSurfacePoints(mesh, 4, 3))
-  {
-    sources.push_back({ point, 2.0 });
-  }
-  for (const dgg::GeodesicSource& source : sources)
-  {
-    const auto place = dgg::PositionOf(mesh, source.Point, plane.Points.data());
-    const dgg::PropagationResult result = this->Run(mesh, { source });
-    for (Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
-    {
-      const double length = result.Virtual[v].Length;
-      EXPECT_NEAR(result.Virtual[v].Offset, 2.0, 1e-4) << v;
-      const double angle = FanAngle(plane, mesh, v) + result.Virtual[v].Angle;
-      EXPECT_NEAR(plane.Point(v)[0] + length * std::cos(angle), place[0], 1e-3) << v;
-      EXPECT_NEAR(plane.Point(v)[1] + length * std::sin(angle), place[1], 1e-3) << v;
-    }
-  }
-  for (const TestMesh& test : { Terrain(16, 0.5, 3), PinchedPlates(3), TwoHoledBlock() })
-  {
-    const dgg::PropagationResult result = this->Run(Build(test), { VertexSource(0) });
-    for (std::size_t v = 0; v < result.Distances.size(); ++v)
-    {
-      EXPECT_NEAR(result.Virtual[v].Offset + result.Virtual[v].Length, result.Distances[v], 1e-12);
-      EXPECT_GE(result.Virtual[v].Offset, -1e-4);
-    }
   }
 }
 

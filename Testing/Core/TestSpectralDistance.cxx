@@ -9,12 +9,6 @@
 #include "dggPoissonSystem.h"
 #include "dggSpectralDistance.h"
 
-#include <algorithm>
-#include <cmath>
-#include <functional>
-#include <map>
-#include <string>
-
 namespace dggtest
 {
 namespace

@@ -12,11 +12,8 @@
 #include "dggHeatMethod.h"
 #include "dggPoissonSolver.h"
 
-#include <algorithm>
 #include <cstddef>
 #include <optional>
-#include <string>
-#include <vector>
 
 namespace dggtest
 {

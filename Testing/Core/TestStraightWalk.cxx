@@ -10,13 +10,6 @@
 #include "dggPathTracer.h"
 #include "dggStraightWalk.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <map>
-#include <utility>
-#include <vector>
-
 namespace dggtest
 {
 namespace

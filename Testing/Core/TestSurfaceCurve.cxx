@@ -10,11 +10,6 @@
 #include "dggFaceRefinement.h"
 #include "dggMeshReport.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <set>
-
 namespace dggtest
 {
 namespace

@@ -5,14 +5,6 @@
 
 #include "dggSurfaceMesh.h"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <map>
-#include <set>
-#include <string>
-#include <utility>
-
 namespace dggtest
 {
 namespace

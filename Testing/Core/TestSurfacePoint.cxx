@@ -6,10 +6,6 @@
 #include "dggSurfacePath.h"
 #include "dggSurfacePoint.h"
 
-#include <cmath>
-#include <string>
-#include <vector>
-
 namespace dggtest
 {
 namespace

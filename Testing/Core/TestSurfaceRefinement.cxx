@@ -9,10 +9,6 @@
 #include "dggSurfaceCut.h"
 #include "dggSurfaceRefinement.h"
 
-#include <algorithm>
-#include <map>
-#include <set>
-
 namespace dggtest
 {
 namespace

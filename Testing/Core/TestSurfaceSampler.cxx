@@ -8,9 +8,6 @@
 #include "dggSurfacePath.h"
 #include "dggSurfaceSampler.h"
 
-#include <algorithm>
-#include <vector>
-
 namespace dggtest
 {
 namespace

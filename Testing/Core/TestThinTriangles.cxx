@@ -12,12 +12,6 @@
 #include "dggSplineSites.h"
 #include "dggThinTriangles.h"
 
-#include <algorithm>
-#include <cmath>
-#include <numeric>
-#include <string>
-#include <vector>
-
 namespace dggtest
 {
 namespace

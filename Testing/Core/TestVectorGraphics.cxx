@@ -9,9 +9,6 @@
 #include "dggPoissonSolver.h"
 #include "dggPoissonSystem.h"
 
-#include <algorithm>
-#include <cmath>
-
 namespace dggtest
 {
 TEST(VectorGraphics, CurvesAcrossASquareHaveALinearFunctionOnEachSide)

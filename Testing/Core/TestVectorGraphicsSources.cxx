@@ -9,11 +9,6 @@
 #include "dggPoissonSolver.h"
 #include "dggPoissonSystem.h"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <numeric>
-
 namespace dggtest
 {
 namespace

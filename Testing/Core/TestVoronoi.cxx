@@ -10,16 +10,6 @@
 #include "dggSurfacePath.h"
 #include "dggVoronoi.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <functional>
-#include <map>
-#include <set>
-#include <string>
-#include <utility>
-#include <vector>
-
 namespace dggtest
 {
 namespace

@@ -7,11 +7,6 @@
 #include "dggTypes.h"
 #include "dggVoxelBand.h"
 
-#include <array>
-#include <cmath>
-#include <random>
-#include <vector>
-
 namespace
 {
 using dgg::Point3;

@@ -2,13 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CloudShapes.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <memory>
-#include <random>
-
 namespace cloudtest
 {
 Cloud Sphere(int count, unsigned seed, double noise)

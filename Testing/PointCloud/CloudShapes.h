@@ -10,10 +10,6 @@
 #include "dggCloudGraphBuilder.h"
 #include "dggPoint3.h"
 
-#include <functional>
-#include <string>
-#include <vector>
-
 namespace cloudtest
 {
 using dgg::Id;

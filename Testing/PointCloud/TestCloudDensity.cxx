@@ -4,12 +4,6 @@
 // the balls of the dense parts.
 #include "CloudShapes.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <string>
-
 namespace
 {
 using namespace cloudtest;

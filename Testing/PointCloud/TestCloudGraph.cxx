@@ -2,10 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CloudShapes.h"
 
-#include <gtest/gtest.h>
-
-#include <vector>
-
 namespace
 {
 using namespace cloudtest;

@@ -2,12 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CloudShapes.h"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <limits>
 #include <sstream>
-#include <vector>
 
 namespace
 {

@@ -4,12 +4,6 @@
 #include "../Benchmark/MemoryProbe.h"
 #include "CloudShapes.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <string>
-#include <vector>
-
 namespace
 {
 using namespace cloudtest;

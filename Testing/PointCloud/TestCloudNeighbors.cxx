@@ -4,12 +4,6 @@
 
 #include "CloudShapes.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <random>
-#include <vector>
-
 namespace
 {
 using dgg::CloudNeighbor;

@@ -3,12 +3,6 @@
 // Progress of graphs of clouds, and abort requests.
 #include "CloudShapes.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <functional>
-#include <vector>
-
 namespace
 {
 using namespace cloudtest;

@@ -3,15 +3,10 @@
 // Clouds of real-world scans, with default options. Compiled only if DGG_EXTRA_DATA is defined.
 #include "CloudShapes.h"
 
-#include <gtest/gtest.h>
-
 #ifdef DGG_EXTRA_DATA
 
-#include <algorithm>
-#include <cstdint>
 #include <fstream>
 #include <sstream>
-#include <string>
 
 namespace
 {
