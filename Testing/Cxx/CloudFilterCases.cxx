@@ -13,10 +13,6 @@
 #include "vtkGeodesicVoronoi.h"
 #include "vtkPointCloudDGG.h"
 
-#include "vtkPoints.h"
-
-#include <cmath>
-
 namespace dggtest
 {
 namespace
@@ -25,12 +21,7 @@ namespace
 void TakePoints(vtkPolyData* relief)
 {
   relief->SetPolys(nullptr);
-  for (vtkIdType i = 0; i < relief->GetNumberOfPoints(); ++i)
-  {
-    double p[3];
-    relief->GetPoint(i, p);
-    relief->GetPoints()->SetPoint(i, p[0], p[1], 0.05 * p[2]);
-  }
+  MovePoints(relief, [&](double* p) { p[2] *= 0.05; });
 }
 
 vtkSmartPointer<vtkGeodesicAlgorithm> MakeCloudGraph(vtkPolyData* relief)

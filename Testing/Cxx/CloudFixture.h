@@ -7,13 +7,7 @@
 
 #include "CloudTestTools.h"
 
-#include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
-
-#include <gtest/gtest.h>
-
-#include <array>
-#include <cmath>
 
 namespace dggtest
 {

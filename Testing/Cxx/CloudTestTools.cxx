@@ -3,15 +3,7 @@
 #include "CloudTestTools.h"
 
 #include "vtkAbstractArray.h"
-#include "vtkFieldData.h"
-#include "vtkIntArray.h"
-#include "vtkPointData.h"
-#include "vtkPoints.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
 #include <random>
 
 namespace dggtest

@@ -9,9 +9,6 @@
 
 #include "vtkPointCloudDGG.h"
 
-#include <string>
-#include <vector>
-
 namespace dggtest
 {
 /// Returns a cloud with points stored as doubles and no cells.

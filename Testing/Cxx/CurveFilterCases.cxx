@@ -10,15 +10,6 @@
 #include "vtkGeodesicVoronoi.h"
 #include "vtkPoissonVectorGraphics.h"
 
-#include "vtkCellArray.h"
-#include "vtkCellData.h"
-#include "vtkDoubleArray.h"
-#include "vtkPointData.h"
-#include "vtkPoints.h"
-
-#include <algorithm>
-#include <limits>
-
 namespace dggtest
 {
 namespace

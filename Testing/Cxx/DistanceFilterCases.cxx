@@ -13,13 +13,6 @@
 #include "vtkHeatGeodesicDistance.h"
 #include "vtkVirtualSourceGeodesicDistance.h"
 
-#include "vtkDoubleArray.h"
-#include "vtkPointData.h"
-#include "vtkStringArray.h"
-
-#include <cmath>
-#include <limits>
-
 namespace dggtest
 {
 namespace
@@ -214,6 +207,7 @@ std::vector<Refusal> RefuseMatrix()
       parts);
   };
   return RefuseGraph<F>() +
+    RefuseValues(&F::SetMaximumDistance, { -1.0, NaN }, { "MaximumDistance" }) +
     std::vector<Refusal>{ Refuse<F>(
                             [](F* f) { f->SetRowIds(nullptr); }, { "no row", "RowIds", "port 1" }),
       Refuse<F>(

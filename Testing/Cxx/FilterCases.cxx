@@ -2,15 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FilterCases.h"
 
-#include "vtkDataArray.h"
-#include "vtkDoubleArray.h"
-#include "vtkFieldData.h"
-#include "vtkPointData.h"
-#include "vtkPoints.h"
-#include "vtkStringArray.h"
-
-#include <algorithm>
-#include <cmath>
 #include <sstream>
 
 namespace dggtest

@@ -8,13 +8,8 @@
 
 #include "FilterTestTools.h"
 
-#include <array>
-#include <functional>
-#include <limits>
 #include <ostream>
-#include <string>
 #include <type_traits>
-#include <vector>
 
 namespace dggtest
 {

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FilterTestTools.h"
 
-#include "vtkCellArray.h"
-#include "vtkDataArray.h"
+#include "TestMeshes.h"
+
 #include "vtkErrorCode.h"
 #include "vtkFieldData.h"
 #include "vtkIdList.h"
@@ -14,11 +14,7 @@
 #include "vtkTable.h"
 #include "vtkVariant.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
 #include <cctype>
-#include <cmath>
 #include <sstream>
 
 namespace dggtest
@@ -65,6 +61,22 @@ vtkSmartPointer<vtkPolyData> MakeSurface(const Points& points, const Cells& poly
   auto surface = MakeSourcePoints(points);
   surface->SetPolys(MakeCells(polygons));
   return surface;
+}
+
+vtkSmartPointer<vtkPolyData> MakeSurface(const TestMesh& mesh)
+{
+  Points points;
+  for (Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
+  {
+    const double* p = mesh.Point(v);
+    points.push_back({ { p[0], p[1], p[2] } });
+  }
+  Cells cells;
+  for (std::size_t k = 0; k < mesh.Triangles.size(); k += 3)
+  {
+    cells.emplace_back(mesh.Triangles.begin() + k, mesh.Triangles.begin() + k + 3);
+  }
+  return MakeSurface(points, cells);
 }
 
 vtkSmartPointer<vtkPolyData> MakeGrid(int columns, int rows, GridCells cells, double unit)
@@ -130,13 +142,20 @@ vtkSmartPointer<vtkPolyData> MakeTerrain(int n)
 {
   auto surface = MakeGrid(n - 1, n - 1, GridCells::Triangles, 1.0 / (n - 1));
   vtkPoints* points = surface->GetPoints();
-  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
+  MovePoints(surface, [&](double* p) { p[2] = GetTerrainHeight(p[0], p[1]); });
+  return surface;
+}
+
+void MovePoints(vtkPolyData* data, const std::function<void(double*)>& move)
+{
+  for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
   {
     double p[3];
-    points->GetPoint(i, p);
-    points->SetPoint(i, p[0], p[1], GetTerrainHeight(p[0], p[1]));
+    data->GetPoint(i, p);
+    move(p);
+    data->GetPoints()->SetPoint(i, p);
   }
-  return surface;
+  data->GetPoints()->Modified();
 }
 
 vtkSmartPointer<vtkPolyData> MakePlateWithHole()

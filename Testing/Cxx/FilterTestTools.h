@@ -8,28 +8,72 @@
 
 #include "vtkGeodesicDistanceAlgorithm.h"
 
+// Classes that most tests of filters use.
+#include "vtkCell.h"
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
 #include "vtkCommand.h"
+#include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkFloatArray.h"
+#include "vtkIdList.h"
+#include "vtkIdTypeArray.h"
+#include "vtkIntArray.h"
+#include "vtkMath.h"
 #include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataAlgorithm.h"
 #include "vtkSmartPointer.h"
+#include "vtkStringArray.h"
+#include "vtkUnsignedCharArray.h"
 
+#include <gtest/gtest.h>
+
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <map>
+#include <numeric>
+#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace dggtest
 {
+struct TestMesh;
 using Points = std::vector<std::array<double, 3>>;
 using Cells = std::vector<std::vector<vtkIdType>>;
 
 /// Returns a surface with points stored as doubles.
 vtkSmartPointer<vtkPolyData> MakeSurface(const Points& points, const Cells& polygons);
+/// Returns a mesh of the kernel tests.
+vtkSmartPointer<vtkPolyData> MakeSurface(const TestMesh& mesh);
 vtkSmartPointer<vtkCellArray> MakeCells(const Cells& cells);
 /// Returns cells whose offsets exceed the connectivity array.
 vtkSmartPointer<vtkCellArray> MakeContradictoryCells();
 /// Returns source points for input port 1.
 vtkSmartPointer<vtkPolyData> MakeSourcePoints(const Points& points);
+
+/// Adds an array of values, component by component.
+template <typename ArrayType = vtkDoubleArray>
+void AddArray(vtkFieldData* data, const std::string& name, const std::vector<double>& values,
+  int components = 1)
+{
+  vtkNew<ArrayType> array;
+  array->SetName(name.c_str());
+  array->SetNumberOfComponents(components);
+  for (const double value : values)
+  {
+    array->InsertNextValue(static_cast<typename ArrayType::ValueType>(value));
+  }
+  data->AddArray(array);
+}
 
 enum class GridCells
 {
@@ -51,6 +95,9 @@ double GetTerrainHeight(double x, double y);
 /// triangles from the hole to the rim, and many small triangles on the wall of the hole. The
 /// surface is closed and has 308 points.
 vtkSmartPointer<vtkPolyData> MakePlateWithHole();
+
+/// Changes the coordinates of each point.
+void MovePoints(vtkPolyData* data, const std::function<void(double*)>& move);
 
 /// Returns the union of two polygonal surfaces, the second one shifted along x.
 vtkSmartPointer<vtkPolyData> Beside(vtkPolyData* first, vtkPolyData* second, double shift);

@@ -4,13 +4,7 @@
 
 #include "vtkExactGeodesicDistance.h"
 
-#include "vtkDataArray.h"
-#include "vtkFieldData.h"
 #include "vtkSMPTools.h"
-
-#include <gtest/gtest.h>
-
-#include <cmath>
 
 namespace dggtest
 {

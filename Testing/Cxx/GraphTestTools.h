@@ -9,10 +9,6 @@
 
 #include "vtkDiscreteGeodesicGraph.h"
 
-#include <functional>
-#include <string>
-#include <vector>
-
 namespace dggtest
 {
 /// Returns the names of the field arrays of a graph.

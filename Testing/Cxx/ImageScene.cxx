@@ -9,10 +9,7 @@
 #include "vtkArrowSource.h"
 #include "vtkCamera.h"
 #include "vtkContourFilter.h"
-#include "vtkDataArray.h"
 #include "vtkGlyph3D.h"
-#include "vtkMath.h"
-#include "vtkPointData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkPolyDataNormals.h"
 #include "vtkProperty.h"
@@ -21,10 +18,6 @@
 #include "vtkStripper.h"
 #include "vtkTubeFilter.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
 #include <cstdlib>
 
 namespace dggtest

@@ -13,9 +13,6 @@
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 
-#include <array>
-#include <string>
-
 namespace dggtest
 {
 using Color = std::array<double, 3>;

@@ -10,8 +10,6 @@
 
 #include "vtkDGGLoop.h"
 
-#include <vector>
-
 namespace dggtest
 {
 /// Returns the triangulated side of a prism over a regular polygon: `sides` times `rows` unit
@@ -42,10 +40,6 @@ struct LoopLine
 std::vector<LoopLine> GetLoops(vtkDGGLoop* filter);
 std::vector<LoopLine> GetRims(vtkDGGLoop* filter);
 std::vector<int> GetLoopStatus(vtkDGGLoop* filter);
-
-/// Expects that a closed polyline crosses edges of triangles without a kink, and has none at its
-/// start when `isSmoothAtStart`. Points of the surface on the polyline are not checked.
-void ExpectStraight(const LoopLine& loop, vtkPolyData* surface, bool isSmoothAtStart = true);
 }
 
 #endif

@@ -2,18 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PCDTestTools.h"
 
-#include "vtkDataArray.h"
-#include "vtkDoubleArray.h"
-#include "vtkFieldData.h"
-#include "vtkFloatArray.h"
-#include "vtkPointData.h"
-#include "vtkPoints.h"
 #include "vtkTypeInt64Array.h"
-#include "vtkUnsignedCharArray.h"
 
-#include <cmath>
 #include <cstring>
-#include <limits>
 
 namespace dggtest
 {

@@ -9,10 +9,8 @@
 #include "ReaderFixture.h"
 
 #include "vtkPCDReader.h"
-#include "vtkSmartPointer.h"
 
 #include <cstdint>
-#include <string>
 
 namespace dggtest
 {

@@ -2,25 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PartTestTools.h"
 
-#include "vtkCellArray.h"
-#include "vtkCellData.h"
-#include "vtkIdList.h"
-#include "vtkIdTypeArray.h"
-#include "vtkMath.h"
 #include "vtkPartitionedDataSet.h"
-#include "vtkPointData.h"
-#include "vtkPoints.h"
 #include "vtkTable.h"
-#include "vtkUnsignedCharArray.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <limits>
-#include <map>
-#include <numeric>
 #include <random>
 
 namespace dggtest

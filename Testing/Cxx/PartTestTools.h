@@ -7,9 +7,6 @@
 
 #include "FilterTestTools.h"
 
-#include <string>
-#include <vector>
-
 namespace dggtest
 {
 /// Piece index of each cell.

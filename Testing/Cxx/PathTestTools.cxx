@@ -2,20 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PathTestTools.h"
 
-#include "vtkCell.h"
-#include "vtkCellArray.h"
-#include "vtkCellData.h"
 #include "vtkCellType.h"
-#include "vtkDataArray.h"
-#include "vtkFieldData.h"
-#include "vtkIdList.h"
-#include "vtkMath.h"
-#include "vtkPointData.h"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
 
 namespace dggtest
 {

@@ -9,8 +9,6 @@
 
 #include "vtkDGGPath.h"
 
-#include <vector>
-
 namespace dggtest
 {
 /// A polyline with its arrays in the output.

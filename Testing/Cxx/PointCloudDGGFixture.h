@@ -7,8 +7,6 @@
 
 #include "CloudTestTools.h"
 
-#include <gtest/gtest.h>
-
 namespace dggtest
 {
 /// The filter, on a replaceable cloud.

@@ -9,18 +9,12 @@
 #include "MeshDescription.h"
 
 #include "vtkErrorCode.h"
-#include "vtkNew.h"
-#include "vtkPolyData.h"
-
-#include <gtest/gtest.h>
 
 #include <clocale>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <sstream>
-#include <string>
-#include <vector>
 
 namespace dggtest
 {
@@ -38,7 +32,7 @@ class ReaderFixture : public testing::Test
 {
 protected:
   /// `good` is the content of a valid file.
-  ReaderFixture(const char* name, const char* good)
+  ReaderFixture(const char* name, const std::string& good)
     : Name(name)
     , Good(good)
   {
@@ -227,7 +221,7 @@ protected:
   }
 
   const char* Name; ///< prefix of file names
-  const char* Good;
+  std::string Good;
   std::filesystem::path Folder;
   vtkNew<ReaderType> Reader;
 };

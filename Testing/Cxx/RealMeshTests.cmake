@@ -54,7 +54,7 @@ if (DGG_EXTRA_DATA)
     TestExtraIsolines.cxx
     TestExtraLoops.cxx
     TestExtraPaths.cxx)
-  target_link_libraries(dggExtraPathTests PRIVATE dggFilterTestTools dggTestTools DGG::Kernel)
+  target_link_libraries(dggExtraPathTests PRIVATE dggFilterTestTools DGG::Kernel)
   if (DGG_WITH_PCL)
     dgg_add_real_mesh_tests(dggExtraCloudTests ExtraMeshes.cxx TestExtraClouds.cxx)
     target_link_libraries(dggExtraCloudTests PRIVATE dggFilterTestTools DGG::FiltersPointCloud)

@@ -9,13 +9,6 @@
 
 #include "vtkErrorCode.h"
 #include "vtkMultiProcessController.h"
-#include "vtkPointData.h"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <string>
 
 namespace dggtest
 {

@@ -9,13 +9,6 @@
 #include "vtkHarmonicBSpline.h"
 #include "vtkSurfaceEarthMoversDistance.h"
 
-#include "vtkDoubleArray.h"
-#include "vtkPointData.h"
-#include "vtkStringArray.h"
-
-#include <functional>
-#include <limits>
-
 namespace dggtest
 {
 namespace

@@ -2,17 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SpectralTestTools.h"
 
-#include "vtkDataArray.h"
-#include "vtkIdList.h"
-#include "vtkMath.h"
-#include "vtkPointData.h"
 #include "vtkTriangle.h"
-
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <map>
-#include <utility>
 
 namespace dggtest
 {

@@ -10,11 +10,6 @@
 
 #include "vtkSpectralAlgorithm.h"
 
-#include <array>
-#include <functional>
-#include <string>
-#include <vector>
-
 namespace dggtest
 {
 /// Returns the icosahedron on the unit sphere, each triangle subdivided into four `level` times.

@@ -4,11 +4,6 @@
 /// All filters on surfaces, and the input that all of them refuse.
 #include "FilterCases.h"
 
-#include "vtkCellArray.h"
-#include "vtkPoints.h"
-
-#include <cmath>
-
 namespace dggtest
 {
 namespace

@@ -8,19 +8,7 @@
 #include "vtkDGGDistance.h"
 #include "vtkExactGeodesicDistance.h"
 
-#include "vtkCellData.h"
 #include "vtkContourFilter.h"
-#include "vtkFieldData.h"
-#include "vtkIdList.h"
-#include "vtkMath.h"
-#include "vtkPointData.h"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <set>
 
 using namespace dggtest;
 
@@ -128,18 +116,6 @@ TEST_F(ApolloniusIsolines, ValuesAreThoseOfContourFilters)
   expectSame();
 }
 
-TEST_F(ApolloniusIsolines, FindSourcesFromDistancesAlone)
-{
-  ExpectSuccess(this->Isolines);
-  EXPECT_FALSE(this->Isolines->GetUsedWindows());
-  EXPECT_TRUE(this->Isolines->GetUsedVirtualSources());
-  const double fitted = this->GetErrors()[2];
-  this->Isolines->SetMethodToLinear();
-  ExpectSuccess(this->Isolines);
-  EXPECT_FALSE(this->Isolines->GetUsedVirtualSources());
-  EXPECT_LT(4.0 * fitted, this->GetErrors()[2]);
-}
-
 TEST_F(ApolloniusIsolines, ValuesThatAreTooSteepForDistancesAreLinear)
 {
   auto surface = this->TakeSurface();
@@ -166,46 +142,38 @@ TEST_F(ApolloniusIsolines, ValuesThatAreTooSteepForDistancesAreLinear)
   EXPECT_TRUE(this->Isolines->GetUsedVirtualSources());
 }
 
-TEST_F(ApolloniusIsolines, AreExactWithWindows)
+TEST_F(ApolloniusIsolines, UseTheMostExactFieldOfTheInput)
 {
-  this->Distance->GenerateWindowsOn();
-  ExpectSuccess(this->Isolines);
-  EXPECT_TRUE(this->Isolines->GetUsedWindows());
-  EXPECT_EQ(this->Isolines->GetNumberOfFallbacks(), 0);
-  vtkPolyData* output = this->Isolines->GetOutput();
-  EXPECT_EQ(output->GetNumberOfLines(), 6);
-  EXPECT_LT(this->GetErrors()[0], 1e-12);
-  EXPECT_GT(this->GetErrors()[1], 1e-6);
-  EXPECT_LT(this->GetErrors()[1], 1.3e-3); // mean edge length: 1.14
-  EXPECT_EQ(output->GetFieldData()->GetNumberOfArrays(), 0) << "windows are those of the surface";
-  EXPECT_GT(this->Distance->GetOutput()->GetFieldData()->GetNumberOfArrays(), 0);
-
-  const vtkIdType points = output->GetNumberOfPoints();
-  this->Isolines->SetChordTolerance(1e-6); // the smallest valid tolerance
-  ExpectSuccess(this->Isolines);
-  EXPECT_EQ(this->Isolines->GetNumberOfFallbacks(), 0);
-  EXPECT_LT(this->GetErrors()[1], 1.3e-6);
-  EXPECT_GT(output->GetNumberOfPoints(), 3 * points);
-}
-
-TEST_F(ApolloniusIsolines, AreGoodWithVirtualSources)
-{
-  this->Distance->GenerateVirtualSourceOn();
-  ExpectSuccess(this->Isolines);
-  EXPECT_TRUE(this->Isolines->GetUsedVirtualSources());
-  EXPECT_FALSE(this->Isolines->GetUsedWindows());
-  EXPECT_LT(this->GetErrors()[0], 1e-12);
-
+  const auto expectFields = [this](bool windows, bool virtualSources) {
+    ExpectSuccess(this->Isolines);
+    EXPECT_EQ(this->Isolines->GetUsedWindows(), windows);
+    EXPECT_EQ(this->Isolines->GetUsedVirtualSources(), virtualSources);
+    return this->GetErrors();
+  };
+  const double fitted = expectFields(false, true)[2]; // sources fitted to distances alone
   this->Isolines->SetMethodToLinear();
-  ExpectSuccess(this->Isolines);
-  EXPECT_FALSE(this->Isolines->GetUsedVirtualSources());
-  const std::array<double, 3> linear = this->GetErrors();
-  EXPECT_GT(linear[0], 1e-2);
+  const double linear = expectFields(false, false)[2];
+  EXPECT_LT(4.0 * fitted, linear);
   this->Isolines->SetMethodToApollonius();
   EXPECT_STREQ(this->Isolines->GetMethodAsString(), "Apollonius");
   this->Isolines->SetSteinerPoints(4);
-  ExpectSuccess(this->Isolines);
-  EXPECT_LT(this->GetErrors()[2], 0.5 * linear[2]);
+  EXPECT_LT(expectFields(false, true)[2], 0.5 * linear);
+  this->Isolines->SetMethodToLocalSources();
+  this->Distance->GenerateVirtualSourceOn();
+  EXPECT_LT(expectFields(false, true)[0], 1e-12);
+  this->Distance->GenerateWindowsOn();
+  std::array<double, 3> errors = expectFields(true, false);
+  EXPECT_LT(errors[0], 1e-12);
+  EXPECT_LT(errors[1], 1.3e-3); // mean edge length: 1.14
+  vtkPolyData* output = this->Isolines->GetOutput();
+  EXPECT_EQ(output->GetNumberOfLines(), 6);
+  EXPECT_EQ(output->GetFieldData()->GetNumberOfArrays(), 0) << "windows are those of the surface";
+  EXPECT_GT(this->Distance->GetOutput()->GetFieldData()->GetNumberOfArrays(), 0);
+  const vtkIdType points = output->GetNumberOfPoints();
+  this->Isolines->SetChordTolerance(1e-6); // the smallest valid tolerance
+  EXPECT_LT(expectFields(true, false)[1], 1.3e-6);
+  EXPECT_EQ(this->Isolines->GetNumberOfFallbacks(), 0);
+  EXPECT_GT(output->GetNumberOfPoints(), 3 * points);
 }
 
 /// Rings around a point, each 17 % smaller than the next: most edges are shorter than the error
@@ -328,23 +296,6 @@ TEST_F(ApolloniusIsolines, PointsAndCellsSayWhereTheyAre)
   EXPECT_EQ(found, (std::set<double>{ 31.0, 39.0, 41.0, 49.0 }));
 }
 
-TEST_F(ApolloniusIsolines, LinesEndWhereNothingIsReached)
-{
-  this->Distance->SetMaximumDistance(3.2);
-  for (const double unreached :
-    { std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity() })
-  {
-    this->Distance->SetUnreachedValue(unreached);
-    ExpectSuccess(this->Isolines);
-    vtkPolyData* output = this->Isolines->GetOutput();
-    EXPECT_GE(output->GetNumberOfCells(), 5);
-    for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
-    {
-      EXPECT_TRUE(std::isfinite(output->GetPoint(i)[0]));
-    }
-  }
-}
-
 TEST_F(ApolloniusIsolines, NoValueInRangeIsAWarningOnce)
 {
   const auto expectEmpty = [this](bool isWarned) {
@@ -382,25 +333,4 @@ TEST_F(ApolloniusIsolines, NoValueInRangeIsAWarningOnce)
   surface->GetPointData()->GetArray("GeodesicDistance")->Fill(1.0);
   surface->GetPointData()->GetArray("GeodesicDistance")->Modified();
   ExpectWarning(unreached, { "no isolines", "from 1 to 1," });
-}
-
-TEST_F(ApolloniusIsolines, DistancesWithoutANameHaveTheUsualOneInTheOutputs)
-{
-  auto surface = this->TakeSurface();
-  auto distances = vtkSmartPointer<vtkDataArray>(surface->GetPointData()->GetArray(0));
-  surface->GetPointData()->Initialize();
-  this->Isolines->SetDistanceArrayName("");
-  this->Isolines->GenerateBandsOn();
-  for (const char* name : { static_cast<const char*>(nullptr), "" })
-  {
-    distances->SetName(name);
-    surface->GetPointData()->SetScalars(distances);
-    surface->Modified();
-    ExpectSuccess(this->Isolines);
-    EXPECT_NE(this->Isolines->GetBands()->GetPointData()->GetArray("GeodesicDistance"), nullptr);
-  }
-  vtkNew<vtkPolyData> empty;
-  this->Isolines->SetInputData(empty);
-  ExpectWarning(this->Isolines, { "empty" });
-  EXPECT_NE(this->Isolines->GetBands()->GetPointData()->GetArray("GeodesicDistance"), nullptr);
 }

@@ -14,14 +14,6 @@
 
 #include "dggStatus.h"
 
-#include "vtkCellArray.h"
-#include "vtkMath.h"
-#include "vtkPoints.h"
-
-#include <gtest/gtest.h>
-
-#include <cmath>
-
 using namespace dggtest;
 
 template <typename Filter>
@@ -41,32 +33,6 @@ class QualityWarnings : public ApproximateDistances<Filter>
 };
 TYPED_TEST_SUITE(QualityWarnings, Filters);
 
-TYPED_TEST(ApproximateDistances, CloseToExact)
-{
-  auto terrain = MakeTerrain(40);
-  const std::vector<vtkIdType> sources = { 5, 820, 1500 };
-  this->Distance->SetInputData(terrain);
-  this->Distance->SetSourceIds(sources);
-  this->Distance->GenerateNearestSourceOn();
-  ExpectSuccess(this->Distance);
-  const auto exact = GetExactDistances(terrain, sources);
-  EXPECT_LT(GetMeanError(GetDistances(this->Distance), exact), 0.06);
-  std::vector<std::vector<double>> single;
-  for (const vtkIdType source : sources)
-  {
-    single.push_back(GetExactDistances(terrain, std::vector<vtkIdType>{ source }));
-  }
-  const auto nearest = GetNearestSources(this->Distance);
-  std::size_t right = 0;
-  for (std::size_t i = 0; i < exact.size(); ++i)
-  {
-    ASSERT_GE(nearest[i], 0);
-    ASSERT_LT(nearest[i], 3);
-    right += single[nearest[i]][i] <= 1.02 * exact[i] ? 1 : 0;
-  }
-  EXPECT_GT(right, 0.95 * exact.size());
-}
-
 TYPED_TEST(QualityWarnings, WarnOfLongTrianglesOnceForEachMesh)
 {
   auto* filter = this->Distance.Get();
@@ -75,12 +41,10 @@ TYPED_TEST(QualityWarnings, WarnOfLongTrianglesOnceForEachMesh)
   for (const double stretch : { 1.0, 10.0, 2.0 })
   {
     auto grid = MakeGrid(12, 12);
-    for (vtkIdType i = 0; i < grid->GetNumberOfPoints(); ++i)
-    {
-      double p[3];
-      grid->GetPoint(i, p);
-      grid->GetPoints()->SetPoint(i, stretch * p[0], p[1], 0.0);
-    }
+    MovePoints(grid, [&](double* p) {
+      p[0] *= stretch;
+      p[2] = 0.0;
+    });
     // A single sliver does not cause a warning.
     const vtkIdType corners[] = { 0, 1, grid->GetNumberOfPoints() };
     grid->GetPoints()->InsertNextPoint(0.5 * stretch, -1e-4, 0.0);
@@ -147,13 +111,7 @@ TEST(VirtualSourceGeodesicDistance, Quality)
   EXPECT_LT(GetMeanError(high, exact), 0.003);
   EXPECT_NE(fast, high);
   // On a mesh of mostly long triangles, the default is more accurate.
-  for (vtkIdType i = 0; i < terrain->GetNumberOfPoints(); ++i)
-  {
-    double p[3];
-    terrain->GetPoint(i, p);
-    terrain->GetPoints()->SetPoint(i, 10.0 * p[0], p[1], p[2]);
-  }
-  terrain->GetPoints()->Modified();
+  MovePoints(terrain, [&](double* p) { p[0] *= 10.0; });
   ExpectWarning(filter, { "long triangles" });
   const auto best = GetDistances(filter);
   filter->SetQualityToAutomatic();
@@ -171,58 +129,6 @@ TEST(VirtualSourceGeodesicDistance, InitialDistancesTooFarApart)
   ExpectError(filter, { "source 1", "1e30" });
   filter->SetSourceIds({ 0, 5 }, { 1e31, 1e31 });
   ExpectSuccess(filter);
-}
-
-/// Cases that single precision must handle: any scale, the largest allowed difference, isolated
-/// sources.
-TEST(VirtualSourceGeodesicDistance, SinglePrecision)
-{
-  vtkNew<vtkVirtualSourceGeodesicDistance> filter;
-  for (const double scale : { 1e-60, 0.7, 1e60 })
-  {
-    auto grid = MakeGrid(11, 11);
-    for (vtkIdType i = 0; i < grid->GetNumberOfPoints(); ++i)
-    {
-      double p[3];
-      grid->GetPoint(i, p);
-      grid->GetPoints()->SetPoint(i, scale * p[0], scale * p[1], 0.0);
-    }
-    filter->SetInputData(grid);
-    filter->SetSourceIds({ 60 });
-    filter->SetSourceData(nullptr);
-    filter->SetMaximumDistance(5.0 * scale);
-    ExpectSuccess(filter);
-    const auto cut = GetDistances(filter);
-    for (vtkIdType i = 0; i < grid->GetNumberOfPoints(); ++i)
-    {
-      const double exact = EuclideanDistance(grid, 60, i);
-      EXPECT_EQ(std::isnan(cut[i]), exact > 5.0 * scale * (1.0 + 1e-9)) << scale << " " << i;
-    }
-    // A source inside a face.
-    filter->RemoveAllSourceIds();
-    filter->SetSourceData(MakeSourcePoints({ { { 4.3 * scale, 5.6 * scale, 0.0 } } }));
-    filter->SetMaximumDistance(VTK_DOUBLE_MAX);
-    ExpectSuccess(filter);
-    const auto distances = GetDistances(filter);
-    for (vtkIdType i = 0; i < grid->GetNumberOfPoints(); ++i)
-    {
-      double p[3];
-      grid->GetPoint(i, p);
-      const double exact = std::hypot(p[0] - 4.3 * scale, p[1] - 5.6 * scale);
-      EXPECT_NEAR(distances[i], exact, 1e-5 * exact) << scale << " " << i;
-    }
-  }
-  // A point without faces is reached only by a source at this point, with the initial distance of
-  // that source.
-  auto withLonePoint = MakeGrid(4, 4);
-  const vtkIdType lone = withLonePoint->GetPoints()->InsertNextPoint(9.0, 9.0, 0.0);
-  filter->SetSourceData(nullptr);
-  filter->SetInputData(withLonePoint);
-  filter->SetSourceIds({ 0, lone }, { 0.1, 1.0 / 3.0 });
-  filter->GenerateNearestSourceOn();
-  filter->Update();
-  EXPECT_EQ(GetDistances(filter)[lone], 1.0 / 3.0);
-  EXPECT_EQ(GetNearestSources(filter)[lone], 1);
 }
 
 /// An extruded disk of a thousand corners, whose needles exceed single precision.
@@ -328,28 +234,22 @@ TEST(HeatGeodesicDistance, WarnsWhereItIsFarOff)
   filter->SetInputData(isolated);
   ExpectWarning(filter, { "no polygon" });
   EXPECT_FALSE(filter->GetQualityWarning());
-  // Components of two to five triangles next to a large component.
+  // A component of five triangles next to a large component.
   auto surface = MakeTerrain(20);
-  vtkIdType n = surface->GetNumberOfPoints();
-  const vtkIdType large = n;
-  for (const int triangles : { 2, 3, 4, 5 })
+  const vtkIdType large = surface->GetNumberOfPoints();
+  Points points;
+  Cells cells;
+  for (vtkIdType i = 0; i < 7; ++i)
   {
-    Points points;
-    Cells cells;
-    for (vtkIdType i = 0; i < triangles + 2; ++i)
+    points.push_back({ { 0.5 * static_cast<double>(i), i % 2 * 0.9, 0.0 } });
+    if (i > 1)
     {
-      points.push_back({ { 0.5 * static_cast<double>(i), i % 2 * 0.9, 0.0 } });
-      if (i > 1)
-      {
-        cells.push_back({ i - 2, i - 1, i });
-      }
+      cells.push_back({ i - 2, i - 1, i });
     }
-    surface = Beside(surface, MakeSurface(points, cells), 5.0 * triangles);
-    filter->SetInputData(surface);
-    filter->SetSourceIds({ 0, n });
-    ExpectWarning(filter, { dgg::JoinText("component of ", triangles, " triangles") });
-    n = surface->GetNumberOfPoints();
   }
+  filter->SetInputData(Beside(surface, MakeSurface(points, cells), 5.0));
+  filter->SetSourceIds({ 0, large });
+  ExpectWarning(filter, { "component of 5 triangles" });
   filter->SetSourceIds({ large / 2 });
   ExpectSuccess(filter);
   EXPECT_FALSE(filter->GetQualityWarning());

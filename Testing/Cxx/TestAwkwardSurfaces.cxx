@@ -9,14 +9,7 @@
 #include "vtkExactGeodesicDistance.h"
 #include "vtkVirtualSourceGeodesicDistance.h"
 
-#include "vtkPointData.h"
-#include "vtkPoints.h"
-
-#include <gtest/gtest.h>
-
-#include <cmath>
 #include <random>
-#include <string>
 
 using namespace dggtest;
 

@@ -6,15 +6,7 @@
 
 #include "vtkExactGeodesicDistance.h"
 
-#include "vtkCellArray.h"
-#include "vtkElevationFilter.h"
 #include "vtkErrorCode.h"
-#include "vtkPointData.h"
-
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <limits>
 
 using namespace dggtest;
 
@@ -41,24 +33,6 @@ protected:
   vtkNew<vtkExactGeodesicDistance> Filter;
   std::vector<double> Expected;
 };
-}
-
-TEST_F(BadInput, FiltersDownstreamBecomeEmpty)
-{
-  vtkNew<vtkElevationFilter> downstream;
-  downstream->SetInputConnection(this->Filter->GetOutputPort());
-  downstream->Update();
-  EXPECT_EQ(downstream->GetOutput()->GetNumberOfPoints(), 16);
-  this->Filter->AddSourceId(99);
-  {
-    Listener listener(this->Filter);
-    downstream->Update();
-    EXPECT_EQ(listener.Errors.size(), 1u);
-  }
-  EXPECT_EQ(downstream->GetOutput()->GetNumberOfPoints(), 0);
-  this->Filter->SetSourceIds(std::vector<vtkIdType>{ 0 });
-  downstream->Update();
-  EXPECT_EQ(downstream->GetOutput()->GetNumberOfPoints(), 16);
 }
 
 TEST_F(BadInput, AfterAFailureOrAnAbortFiltersDownstreamAreEmpty)

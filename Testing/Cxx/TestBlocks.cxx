@@ -8,23 +8,12 @@
 #include "vtkDiscreteGeodesicGraph.h"
 #include "vtkExactGeodesicDistance.h"
 
-#include "vtkCellData.h"
 #include "vtkCompositeDataSet.h"
-#include "vtkDataArray.h"
-#include "vtkFieldData.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkPartitionedDataSet.h"
 #include "vtkPartitionedDataSetCollection.h"
-#include "vtkPointData.h"
-#include "vtkPoints.h"
-
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <string>
-#include <vector>
 
 using namespace dggtest;
 
@@ -43,13 +32,8 @@ protected:
     for (std::size_t block = 0; block < this->Sizes.size(); ++block)
     {
       this->Surfaces.push_back(MakeTerrain(this->Sizes[block]));
-      vtkPoints* points = this->Surfaces.back()->GetPoints();
-      for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
-      {
-        double p[3];
-        points->GetPoint(i, p);
-        points->SetPoint(i, p[0] + 1.2 * static_cast<double>(block), p[1], p[2]);
-      }
+      MovePoints(
+        this->Surfaces.back(), [&](double* p) { p[0] = p[0] + 1.2 * static_cast<double>(block); });
       this->All->SetBlock(static_cast<unsigned int>(block), this->Surfaces.back());
     }
   }

@@ -6,14 +6,6 @@
 
 #include "vtkExactGeodesicDistance.h"
 
-#include "vtkCellArray.h"
-#include "vtkDoubleArray.h"
-#include "vtkPoints.h"
-
-#include <gtest/gtest.h>
-
-#include <cmath>
-
 using namespace dggtest;
 
 namespace
@@ -59,9 +51,6 @@ TEST_F(Caching, PropertiesAndSourcesKeepTheMesh)
   this->Filter->SetSourceData(MakeSourcePoints({ { { 0.5, 0.5, 0.0 } } }));
   this->ExpectKept("source points");
   EXPECT_NEAR(GetDistances(this->Filter)[0], std::sqrt(0.5), 1e-12);
-  this->Filter->SetSourceData(MakeSourcePoints({ { { 1.5, 0.0, 0.0 } } }));
-  this->ExpectKept("other source points");
-  EXPECT_NEAR(GetDistances(this->Filter)[0], 1.5, 1e-12);
   this->Filter->SetMaximumDistance(2.0);
   this->ExpectKept("maximum distance");
   this->Filter->GenerateNearestSourceOn();
@@ -78,23 +67,16 @@ TEST_F(Caching, PropertiesAndSourcesKeepTheMesh)
 
 TEST_F(Caching, PointsRebuildTheMesh)
 {
-  const double stretch = 3.0;
-  for (vtkIdType i = 0; i < 25; ++i)
-  {
-    double p[3];
-    this->Grid->GetPoint(i, p);
-    this->Grid->GetPoints()->SetPoint(i, stretch * p[0], stretch * p[1], 0.0);
-  }
-  this->Grid->GetPoints()->Modified();
-  this->ExpectRebuilt("moved points");
-  EXPECT_NEAR(GetDistances(this->Filter)[1], stretch, 1e-12);
-
   vtkNew<vtkPoints> points;
   points->DeepCopy(this->Grid->GetPoints());
   points->SetPoint(1, 1.5, 0.0, 0.0);
   this->Grid->SetPoints(points);
   this->ExpectRebuilt("other points");
   EXPECT_NEAR(GetDistances(this->Filter)[1], 1.5, 1e-12);
+  points->SetPoint(1, 1.25, 0.0, 0.0);
+  points->Modified();
+  this->ExpectRebuilt("a moved point");
+  EXPECT_NEAR(GetDistances(this->Filter)[1], 1.25, 1e-12);
 }
 
 TEST_F(Caching, ModifiedOnTheDataObjectWillDo)
@@ -109,22 +91,6 @@ TEST_F(Caching, ModifiedOnTheDataObjectWillDo)
   this->Grid->Modified();
   this->ExpectRebuilt("moved points, marked on the data object");
   EXPECT_NEAR(GetDistances(this->Filter)[1], 2.0, 1e-12);
-}
-
-TEST_F(Caching, SourcePointsFollowTheMesh)
-{
-  this->Filter->RemoveAllSources();
-  this->Filter->SetSourceData(MakeSourcePoints({ { { 0.5, 0.5, 0.0 } } }));
-  this->ExpectKept("source points");
-  for (vtkIdType i = 0; i < 25; ++i)
-  {
-    double p[3];
-    this->Grid->GetPoint(i, p);
-    this->Grid->GetPoints()->SetPoint(i, p[0] + 0.25, p[1], 0.0);
-  }
-  this->Grid->GetPoints()->Modified();
-  this->ExpectRebuilt("moved points");
-  EXPECT_NEAR(GetDistances(this->Filter)[0], std::hypot(0.25, 0.5), 1e-12);
 }
 
 TEST_F(Caching, PolygonsRebuildTheMesh)
@@ -150,12 +116,4 @@ TEST_F(Caching, PolygonsRebuildTheMesh)
   const Listener listener(this->Filter); // warns about overlapping triangles
   this->Filter->Update();
   EXPECT_GT(this->Filter->GetMeshBuildTime(), this->Built);
-}
-
-TEST_F(Caching, MergingRebuildsTheMesh)
-{
-  this->Filter->MergeCoincidentPointsOn();
-  this->ExpectRebuilt("on");
-  this->Filter->MergeCoincidentPointsOff();
-  this->ExpectRebuilt("off");
 }

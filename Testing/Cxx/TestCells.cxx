@@ -6,10 +6,6 @@
 
 #include "vtkExactGeodesicDistance.h"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-
 using namespace dggtest;
 
 namespace

@@ -7,10 +7,6 @@
 #include "vtkDGGDistance.h"
 #include "vtkGeodesicDistanceMatrix.h"
 
-#include "vtkDoubleArray.h"
-
-#include <vector>
-
 namespace dggtest
 {
 namespace
@@ -18,39 +14,6 @@ namespace
 class CloudConsumers : public CloudFixture
 {
 };
-}
-
-TEST_F(CloudConsumers, Matrix)
-{
-  this->Use(MakeFlatPoints(40, 0.2));
-  vtkNew<vtkGeodesicDistanceMatrix> matrix;
-  this->Connect(matrix);
-  matrix->SetRowIds({ 0, 100 });
-  const Points row = { { { 0.5, 0.5, 0.0 } } };
-  const Points columns = { { { 0.51, 0.5, 0.0 } }, { { 0.03, 0.9, 0.0 } }, this->Cloud[100] };
-  matrix->SetRowData(MakeSourcePoints(row));
-  matrix->SetColumnData(MakeSourcePoints(columns));
-  ExpectSuccess(matrix);
-  const Points rows = { this->Cloud[0], this->Cloud[100], row[0] };
-  for (int i = 0; i < 3; ++i)
-  {
-    for (int j = 0; j < 3; ++j)
-    {
-      const double exact = Distance(rows[i], columns[j]);
-      EXPECT_NEAR(matrix->GetMatrix()->GetComponent(i, j), exact, 0.02 * exact + 1e-12)
-        << i << " " << j;
-    }
-  }
-  matrix->SetColumnData(nullptr);
-  ExpectSuccess(matrix);
-  for (int i = 0; i < 3; ++i)
-  {
-    EXPECT_EQ(matrix->GetMatrix()->GetComponent(i, i), 0.0);
-    for (int j = 0; j < 3; ++j)
-    {
-      EXPECT_EQ(matrix->GetMatrix()->GetComponent(i, j), matrix->GetMatrix()->GetComponent(j, i));
-    }
-  }
 }
 
 TEST_F(CloudConsumers, FromCloudToMeshAndBack)

@@ -5,13 +5,8 @@
 
 #include "vtkDGGDistance.h"
 #include "vtkGeodesicSampler.h"
-#include "vtkPointData.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <cstddef>
-#include <vector>
 
 namespace dggtest
 {
@@ -44,58 +39,6 @@ TEST_F(CloudDistance, DistanceInThePlane)
     EXPECT_LE(values[i], exact[i] * 1.02 + 1e-12) << i;
   }
   EXPECT_LT(GetMeanCloudError(values, exact), 2e-3);
-}
-
-TEST_F(CloudDistance, DistanceOnTheSphere)
-{
-  this->Use(MakeSpherePoints(5000));
-  vtkNew<vtkDGGDistance> distance;
-  this->Connect(distance);
-  distance->SetSourceIds({ 17, 3000 });
-  distance->GenerateNearestSourceOn();
-  ExpectSuccess(distance);
-  std::vector<double> exact;
-  const std::vector<int> nearest = GetNearestSources(distance);
-  const std::vector<double> values = GetDistances(distance);
-  for (std::size_t i = 0; i < this->Cloud.size(); ++i)
-  {
-    const double first = SphereDistance(this->Cloud[i], this->Cloud[17]);
-    const double second = SphereDistance(this->Cloud[i], this->Cloud[3000]);
-    exact.push_back(std::min(first, second));
-    if (std::abs(first - second) > 0.02)
-    {
-      EXPECT_EQ(nearest[i], first < second ? 0 : 1) << i;
-    }
-  }
-  EXPECT_LT(GetMeanCloudError(values, exact), 1e-3);
-}
-
-TEST_F(CloudDistance, MaximumDistanceAndComponents)
-{
-  const Points part = MakeFlatPoints(20, 0.2);
-  this->Use(Join(part, Move(part, { { 3.0, 0.0, 0.0 } })));
-  vtkNew<vtkDGGDistance> distance;
-  this->Connect(distance);
-  distance->SetSourceIds({ 0 });
-  distance->GenerateNearestSourceOn();
-  distance->SetMaximumDistance(0.5);
-  distance->SetUnreachedValue(-7.0);
-  ExpectSuccess(distance);
-  const std::vector<double> values = GetDistances(distance);
-  const std::vector<int> nearest = GetNearestSources(distance);
-  for (std::size_t i = 0; i < values.size(); ++i)
-  {
-    const double exact = Distance(this->Cloud[i], this->Cloud[0]);
-    EXPECT_EQ(values[i] == -7.0, nearest[i] == -1);
-    if (exact < 0.49)
-    {
-      EXPECT_GE(values[i], 0.0) << i;
-    }
-    if (exact > 0.5)
-    {
-      EXPECT_EQ(values[i], -7.0) << i;
-    }
-  }
 }
 
 TEST_F(CloudDistance, AccuracyIsNotUsed)

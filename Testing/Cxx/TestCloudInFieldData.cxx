@@ -4,21 +4,11 @@
 #include "CloudTestTools.h"
 
 #include "vtkDGGDistance.h"
-#include "vtkDataArray.h"
-#include "vtkFieldData.h"
-#include "vtkFloatArray.h"
-#include "vtkIntArray.h"
-#include "vtkPoints.h"
 #include "vtkTransform.h"
 #include "vtkTransformPolyDataFilter.h"
 #include "vtkTypeInt64Array.h"
 #include "vtkXMLPolyDataReader.h"
 #include "vtkXMLPolyDataWriter.h"
-
-#include <gtest/gtest.h>
-
-#include <functional>
-#include <limits>
 
 namespace dggtest
 {
@@ -130,63 +120,6 @@ TEST_F(CloudInFieldData, MissingArrays)
     { "256 points but no polygons" });
   this->ExpectRefused([](vtkPolyData* cloud) { cloud->GetFieldData()->Initialize(); },
     { "256 points but no polygons" });
-}
-
-TEST_F(CloudInFieldData, DamagedArrays)
-{
-  const struct
-  {
-    const char* Array;
-    vtkIdType Index;
-    double Value;
-    const char* Part;
-  } changes[] = {
-    { "DGG.Lengths", 3, 0.7, "checksum" },
-    { "DGG.Lengths", 3, -0.7, "length" },
-    { "DGG.Targets", 3, 256, "leads to vertex 256" },
-    { "DGG.Radii", 3, 0.01, "checksum" },
-    { "DGG.Radii", 3, std::numeric_limits<double>::infinity(), "checksum" },
-    { "DGG.Info", 0, 2, "format version 2" },
-    { "DGG.Info", 2, 0, "its construction is 0" },
-    { "DGG.Info", 2, 7, "its construction is 7" },
-    { "DGG.Info", 8, 1, "checksum" },
-  };
-  for (const auto& change : changes)
-  {
-    SCOPED_TRACE(change.Array);
-    this->ExpectRefused(
-      [&](vtkPolyData* c) { Get(c, change.Array)->SetTuple1(change.Index, change.Value); },
-      { change.Part });
-  }
-  this->ExpectRefused(
-    [](vtkPolyData* c) {
-      vtkNew<vtkFloatArray> wrong;
-      wrong->SetName("DGG.Radii");
-      wrong->SetNumberOfTuples(256);
-      wrong->Fill(0.1);
-      c->GetFieldData()->AddArray(wrong);
-    },
-    { "DGG.Radii has the type float" });
-  this->ExpectRefused([](vtkPolyData* c) { Get(c, "DGG.Radii")->SetNumberOfTuples(255); },
-    { "DGG.Radii has 255 values" });
-  // A surface is not used in place of the cloud, because its distances differ.
-  this->ExpectRefused(
-    [](vtkPolyData* c) {
-      c->SetPolys(MakeCells({ { 0, 1, 16 } }));
-      Get(c, "DGG.Lengths")->SetTuple1(3, 0.7);
-    },
-    { "checksum" });
-}
-
-TEST_F(CloudInFieldData, ArraysOfMeshesDoNotMatter)
-{
-  const std::vector<double> distances = this->Measure(this->Cloud);
-  vtkNew<vtkIntArray> stray;
-  stray->SetName("DGG.Angles");
-  stray->SetNumberOfTuples(3);
-  stray->Fill(7);
-  this->Cloud->GetFieldData()->AddArray(stray);
-  EXPECT_EQ(this->Measure(this->Cloud), distances);
 }
 
 TEST_F(CloudInFieldData, TheGraphOfAMeshIsNoneOfACloud)

@@ -7,12 +7,7 @@
 #include "vtkDGGDistance.h"
 #include "vtkPointCloudDGG.h"
 
-#include "vtkCell.h"
-#include "vtkDataArray.h"
 #include "vtkMultiProcessController.h"
-#include "vtkPointData.h"
-
-#include <gtest/gtest.h>
 
 using namespace dggtest;
 

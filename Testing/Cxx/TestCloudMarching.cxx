@@ -5,14 +5,7 @@
 
 #include "vtkDGGFastMarchingDistance.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <cstddef>
-#include <limits>
-#include <vector>
 
 namespace dggtest
 {
@@ -78,28 +71,6 @@ TEST_F(CloudMarching, CloseToClosedForms)
     this->ErrorsBeyond(0.2, [&](const auto& p) { return SphereDistance(p, pole); });
   EXPECT_LT(round[0], 0.03);
   EXPECT_LT(round[1], 0.06);
-}
-
-TEST_F(CloudMarching, NearestSourceAndInitialDistances)
-{
-  this->Use(MakeSpherePoints(3000));
-  this->Filter->AddSourceId(17, -0.5);
-  this->Filter->AddSourceId(2900, 0.25);
-  this->Filter->GenerateNearestSourceOn();
-  const std::vector<double> values = this->March();
-  const std::vector<int> nearest = GetNearestSources(this->Filter);
-  EXPECT_EQ(values[17], -0.5);
-  EXPECT_EQ(values[2900], 0.25);
-  for (std::size_t i = 0; i < values.size(); ++i)
-  {
-    const double first = SphereDistance(this->Cloud[i], this->Cloud[17]) - 0.5;
-    const double second = SphereDistance(this->Cloud[i], this->Cloud[2900]) + 0.25;
-    if (std::abs(first - second) > 0.2)
-    {
-      EXPECT_EQ(nearest[i], first < second ? 0 : 1) << i;
-    }
-    EXPECT_NEAR(values[i], std::min(first, second), 0.1) << i;
-  }
 }
 
 TEST_F(CloudMarching, SourcesBesideTheCloud)

@@ -4,20 +4,9 @@
 #include "CloudFixture.h"
 #include "dggBandSizes.h"
 
-#include "vtkCellArray.h"
-#include "vtkCellData.h"
-#include "vtkDGGDistance.h"
 #include "vtkDGGPath.h"
-#include "vtkFieldData.h"
-#include "vtkIdList.h"
-#include "vtkMath.h"
-#include "vtkPointData.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <cstddef>
-#include <vector>
 
 namespace dggtest
 {
@@ -78,6 +67,7 @@ TEST_F(CloudPath, PathsInThePlane)
     EXPECT_LE(length, 1.02 * exact + 1e-12);
     EXPECT_NEAR(Value(output->GetCellData(), "GraphLength", i), exact, 0.02 * exact + 1e-12);
     EXPECT_EQ(Value(output->GetCellData(), "PairId", i), static_cast<double>(i));
+    EXPECT_EQ(Value(output->GetCellData(), "Straightened", i), 1.0);
   }
   EXPECT_EQ(GetPolyline(output, 4).size(), 2u);
   vtkPointData* data = output->GetPointData();
@@ -90,62 +80,6 @@ TEST_F(CloudPath, PathsInThePlane)
   }
   EXPECT_EQ(output->GetFieldData()->GetAbstractArray("DGG.Info"), nullptr);
   EXPECT_EQ(output->GetFieldData()->GetAbstractArray("DGG.Radii"), nullptr);
-}
-
-TEST_F(CloudPath, PathLengthsAreDistances)
-{
-  this->Use(MakeSpherePoints(2000));
-  vtkNew<vtkDGGDistance> distance;
-  this->Connect(distance);
-  distance->SetSourceIds({ 3 });
-  ExpectSuccess(distance);
-  const std::vector<double> distances = GetDistances(distance);
-  vtkNew<vtkDGGPath> path;
-  this->Connect(path);
-  for (vtkIdType id = 10; id < 2000; id += 5) // enough sources for landmarks
-  {
-    path->AddPair(3, id);
-  }
-  ExpectSuccess(path);
-  vtkPolyData* output = path->GetOutput();
-  ASSERT_EQ(output->GetNumberOfLines(), path->GetNumberOfPairs());
-  for (vtkIdType i = 0; i < path->GetNumberOfPairs(); ++i)
-  {
-    EXPECT_NEAR(Value(output->GetCellData(), "GraphLength", i), distances[path->GetPairEnd(i)],
-      1e-6 * distances[path->GetPairEnd(i)]);
-    EXPECT_LE(Value(output->GetCellData(), "Length", i),
-      Value(output->GetCellData(), "GraphLength", i) * (1.0 + 1e-6));
-  }
-}
-
-TEST_F(CloudPath, SmoothPaths)
-{
-  this->Use(MakeSpherePoints(3000));
-  vtkNew<vtkDGGPath> path;
-  this->Connect(path);
-  path->AddPair(10, 1700);
-  path->AddPair(2500, 400);
-  double errors[2] = { 0.0, 0.0 };
-  for (const bool smooth : { false, true })
-  {
-    path->SetStraighten(smooth);
-    ExpectSuccess(path);
-    vtkPolyData* output = path->GetOutput();
-    ASSERT_EQ(output->GetNumberOfLines(), 2);
-    for (vtkIdType i = 0; i < 2; ++i)
-    {
-      const double exact =
-        SphereDistance(this->Cloud[path->GetPairStart(i)], this->Cloud[path->GetPairEnd(i)]);
-      errors[smooth] += std::abs(Value(output->GetCellData(), "Length", i) / exact - 1.0);
-      EXPECT_EQ(Value(output->GetCellData(), "Straightened", i), smooth ? 1.0 : 0.0);
-    }
-    for (vtkIdType i = 0; i < output->GetNumberOfPoints() && !smooth; ++i)
-    {
-      EXPECT_GE(Value(output->GetPointData(), "vtkOriginalPointIds", i), 0.0);
-    }
-  }
-  EXPECT_LT(errors[1], 0.5 * errors[0]);
-  EXPECT_LT(errors[1], 2e-3);
 }
 
 TEST_F(CloudPath, SmoothPathsStayWithinASpacing)

@@ -6,20 +6,10 @@
 
 #include "vtkDiscreteGeodesicGraph.h"
 
-#include "vtkCellArray.h"
-#include "vtkCellData.h"
-#include "vtkDataArray.h"
-#include "vtkFieldData.h"
-#include "vtkFloatArray.h"
-#include "vtkPointData.h"
 #include "vtkSphereSource.h"
 #include "vtkTubeFilter.h"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
 #include <cstring>
-#include <set>
 
 using namespace dggtest;
 
@@ -66,46 +56,7 @@ TEST_F(DiscreteGeodesicGraph, ArraysAreAsDocumented)
   EXPECT_EQ(GetFieldArray(output, "DGG.Angles")->GetDataType(), VTK_FLOAT);
   EXPECT_EQ(GetFieldArray(output, "DGG.ArrivalAngles")->GetDataType(), VTK_FLOAT);
 
-  vtkDataArray* offsets = GetFieldArray(output, "DGG.Offsets");
-  vtkDataArray* targets = GetFieldArray(output, "DGG.Targets");
-  vtkDataArray* lengths = GetFieldArray(output, "DGG.Lengths");
-  vtkDataArray* angles = GetFieldArray(output, "DGG.Angles");
-  EXPECT_EQ(offsets->GetComponent(0, 0), 0.0);
-  EXPECT_EQ(offsets->GetComponent(n, 0), static_cast<double>(m));
-  std::set<std::array<double, 3>> edges;
-  for (vtkIdType v = 0; v < n; ++v)
-  {
-    double last = 0.0;
-    for (auto e = static_cast<vtkIdType>(offsets->GetComponent(v, 0));
-         e < static_cast<vtkIdType>(offsets->GetComponent(v + 1, 0)); ++e)
-    {
-      const double target = targets->GetComponent(e, 0);
-      const double length = lengths->GetComponent(e, 0);
-      edges.insert({ { static_cast<double>(v), target, length } });
-      EXPECT_GE(length,
-        EuclideanDistance(this->Terrain, v, static_cast<vtkIdType>(target)) * (1.0 - 1e-12));
-      EXPECT_GE(angles->GetComponent(e, 0), last);
-      last = angles->GetComponent(e, 0);
-    }
-    EXPECT_LT(last, 7.0);
-  }
-  EXPECT_EQ(static_cast<vtkIdType>(edges.size()), m);
-  for (const auto& edge : edges)
-  {
-    EXPECT_EQ(edges.count({ { edge[1], edge[0], edge[2] } }), 1u);
-  }
-
-  vtkDataArray* info = GetFieldArray(output, "DGG.Info");
-  const auto* slots = static_cast<const vtkTypeInt64*>(info->GetVoidPointer(0));
-  EXPECT_EQ(slots[0], 1);
-  EXPECT_EQ(slots[1], 0);
-  EXPECT_EQ(slots[2], vtkDiscreteGeodesicGraph::Guaranteed);
-  double accuracy = 0.0;
-  std::memcpy(&accuracy, slots + 3, sizeof(accuracy));
-  EXPECT_EQ(accuracy, 0.05);
-  EXPECT_EQ(slots[4], 0);
-  EXPECT_EQ(slots[5], 0);
-
+  EXPECT_EQ(GetFieldArray(output, "DGG.Offsets")->GetComponent(n, 0), static_cast<double>(m));
   EXPECT_DOUBLE_EQ(this->Filter->GetMeanDegree(), static_cast<double>(m) / n);
   EXPECT_GT(this->Filter->GetMeanDegree(), 10.0);
   EXPECT_LT(this->Filter->GetMeanDegree(), 60.0);
@@ -142,18 +93,15 @@ TEST_F(DiscreteGeodesicGraph, GraphLines)
   ASSERT_NE(lengths, nullptr);
   EXPECT_EQ(lengths->GetDataType(), VTK_DOUBLE);
   ASSERT_EQ(lengths->GetNumberOfTuples(), lines->GetNumberOfLines());
-  std::set<std::pair<vtkIdType, vtkIdType>> pairs;
   for (vtkIdType c = 0; c < lines->GetNumberOfLines(); ++c)
   {
     vtkIdType size = 0;
     const vtkIdType* ids = nullptr;
     lines->GetLines()->GetCellAtId(c, size, ids);
     ASSERT_EQ(size, 2);
-    pairs.insert({ ids[0], ids[1] });
     EXPECT_GE(
       lengths->GetComponent(c, 0), EuclideanDistance(this->Terrain, ids[0], ids[1]) * (1 - 1e-12));
   }
-  EXPECT_EQ(static_cast<vtkIdType>(pairs.size()), lines->GetNumberOfLines());
   this->Filter->GenerateGraphLinesOff();
   ExpectSuccess(this->Filter);
   EXPECT_EQ(this->Filter->GetGraphLines()->GetNumberOfPoints(), 0);
@@ -180,11 +128,7 @@ TEST_F(DiscreteGeodesicGraph, IsBuiltOnceForTheSameMeshAndParameters)
   expectKept("MemoryLimit");
   this->Filter->SetNumberOfNeighbors(12);
   expectKept("NumberOfNeighbors, which this construction does not use");
-  vtkNew<vtkFloatArray> array;
-  array->SetName("Values");
-  array->SetNumberOfTuples(this->Terrain->GetNumberOfPoints());
-  array->Fill(0.0);
-  this->Terrain->GetPointData()->AddArray(array);
+  AddArray(this->Terrain->GetPointData(), "Values", std::vector<double>(400, 0.0));
   expectKept("point array");
   EXPECT_EQ(GetGraphBytes(this->Filter->GetOutput()), bytes);
   vtkNew<vtkPolyData> copy;
@@ -252,24 +196,6 @@ TEST_F(DiscreteGeodesicGraph, AGraphOnTheInputIsPassedOn)
   ExpectSuccess(this->Filter); // reported only once
   EXPECT_EQ(
     GetGraphBytes(this->Filter->GetOutput()), GetGraphBytes(MakeSurfaceWithGraph(surface, 0.1)));
-}
-
-TEST_F(DiscreteGeodesicGraph, EstimatesBeforeBuilding)
-{
-  this->Filter->SetInputData(MakeTerrain(60));
-  for (const double accuracy : { 0.1, 0.01 })
-  {
-    this->Filter->SetAccuracy(accuracy);
-    const Listener listener(this->Filter);
-    const vtkTypeUInt64 estimate = this->Filter->EstimateMemory();
-    EXPECT_EQ(listener.Errors, std::vector<std::string>());
-    EXPECT_EQ(this->Filter->GetEstimatedMemory(), estimate);
-    EXPECT_GE(this->Filter->GetEstimatedPeakMemory(), estimate);
-    EXPECT_EQ(this->Filter->GetOutput()->GetNumberOfPoints(), accuracy == 0.1 ? 0 : 3600);
-    ExpectSuccess(this->Filter);
-    const auto size = static_cast<double>(this->Filter->GetMemorySize());
-    EXPECT_NEAR(static_cast<double>(estimate), size, 0.4 * size) << accuracy;
-  }
 }
 
 TEST_F(DiscreteGeodesicGraph, EstimatesReportWhatIsWrong)

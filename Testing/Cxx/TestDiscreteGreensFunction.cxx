@@ -1,24 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The values of vtkDiscreteGreensFunction: closed forms, symmetry, components, boundaries,
-/// options. Thin surfaces, which all filters of the Laplacian refuse.
+/// vtkDiscreteGreensFunction: arrays, methods used, evaluation points, properties, reuse between
+/// updates, surfaces that are refused.
 #include "GraphTestTools.h"
 #include "SpectralTestTools.h"
 
-#include "vtkBiharmonicDistance.h"
 #include "vtkDiscreteGreensFunction.h"
-#include "vtkHarmonicBSpline.h"
-
-#include "vtkIntArray.h"
-#include "vtkPointData.h"
-#include "vtkPoints.h"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
 
 using namespace dggtest;
 
@@ -47,37 +35,15 @@ struct Fixture
   vtkNew<vtkDiscreteGreensFunction> Filter;
 };
 
-/// Returns the relative L2 error on the unit sphere within an angle of the source.
-double ErrorOnSphere(vtkPolyData* sphere, const std::vector<double>& values,
-  const std::array<double, 3>& source, double within)
-{
-  const std::vector<double> areas = GetPointAreas(sphere);
-  double difference = 0.0;
-  double size = 0.0;
-  for (vtkIdType i = 0; i < sphere->GetNumberOfPoints(); ++i)
-  {
-    const double cosine = CosineOf(sphere->GetPoint(i), source.data());
-    if (cosine < 1.0 - 1e-9 && cosine > std::cos(within))
-    {
-      const double expected = SphereGreens(cosine);
-      difference += areas[i] * (values[i] - expected) * (values[i] - expected);
-      size += areas[i] * expected * expected;
-    }
-  }
-  return std::sqrt(difference / size);
-}
 }
 
-TEST(DiscreteGreensFunction, SphereByEveryMethod)
+TEST(DiscreteGreensFunction, ReportsTheMethodsUsed)
 {
   Fixture sphere(MakeSphere(4));
-  const std::array<double, 3> inside = PointInCell(sphere.Surface, 777, { 0.2, 0.3, 0.5 });
   sphere.Filter->AddSourceId(7);
-  sphere.Filter->SetSourceData(MakeSourcePoints({ inside }));
-  std::array<double, 3> atPoint;
-  sphere.Surface->GetPoint(7, atPoint.data());
-  const std::vector<double> areas = GetPointAreas(sphere.Surface);
-  double errors[4];
+  sphere.Filter->SetSourceData(
+    MakeSourcePoints({ PointInCell(sphere.Surface, 777, { 0.2, 0.3, 0.5 }) }));
+  const double cosine = CosineOf(sphere.Surface->GetPoint(7), sphere.Surface->GetPoint(300));
   for (int method = 0; method < 4; ++method)
   {
     sphere.Filter->SetMethod(method);
@@ -86,126 +52,56 @@ TEST(DiscreteGreensFunction, SphereByEveryMethod)
     ASSERT_NE(array, nullptr);
     EXPECT_STREQ(array->GetName(), Name);
     EXPECT_EQ(array->GetNumberOfComponents(), 2);
-    for (int source = 0; source < 2; ++source)
-    {
-      EXPECT_EQ(sphere.Filter->GetUsedMethod(source), method);
-      double mean = 0.0;
-      for (std::size_t i = 0; i < areas.size(); ++i)
-      {
-        mean += areas[i] * sphere.Values(source)[i] / 12.5;
-      }
-      EXPECT_NEAR(mean, 0.0, 1e-3);
-    }
-    EXPECT_LT(ErrorOnSphere(sphere.Surface, sphere.Values(0), atPoint, 4.0), 2e-2);
-    errors[method] = ErrorOnSphere(sphere.Surface, sphere.Values(1), inside, 0.25);
+    EXPECT_EQ(sphere.Filter->GetUsedMethod(0), method);
+    EXPECT_EQ(sphere.Filter->GetUsedMethod(1), method);
+    EXPECT_NEAR(sphere.Values()[300], SphereGreens(cosine), 5e-3);
   }
-  EXPECT_LT(errors[0], 1e-3);
-  EXPECT_LT(20.0 * errors[0], errors[2]);
-  EXPECT_LT(errors[1], 1.5 * errors[2]);
-  EXPECT_LT(1.5 * errors[2], errors[3]);
   EXPECT_EQ(sphere.Filter->GetNumberOfFactorizations(), 1);
   EXPECT_EQ(sphere.Filter->GetUsedMethod(2), -1);
   EXPECT_EQ(sphere.Filter->GetUsedRadius(-1), 0.0);
 }
 
-TEST(DiscreteGreensFunction, EvaluationPointsSeeTheLogarithm)
+TEST(DiscreteGreensFunction, EvaluationPointsHaveValuesAndKeepTheirArrays)
 {
   Fixture sphere(MakeSphere(4));
-  const std::array<double, 3> source = PointInCell(sphere.Surface, 500, { 0.4, 0.35, 0.25 });
-  sphere.Filter->SetSourceData(MakeSourcePoints({ source }));
-  Points places;
-  places.push_back(PointInCell(sphere.Surface, 500, { 0.5, 0.35, 0.15 })); // in the same face
-  places.push_back(PointInCell(sphere.Surface, 501, { 0.2, 0.2, 0.6 }));
-  for (vtkIdType cell = 0; cell < 5000; cell += 123)
-  {
-    places.push_back(PointInCell(sphere.Surface, cell, { 0.1, 0.3, 0.6 }));
-  }
+  sphere.Filter->SetSourceData(
+    MakeSourcePoints({ PointInCell(sphere.Surface, 500, { 0.4, 0.35, 0.25 }) }));
+  const std::array<double, 3> inside = PointInCell(sphere.Surface, 500, { 0.5, 0.35, 0.15 });
   std::array<double, 3> corner;
   sphere.Surface->GetPoint(33, corner.data());
-  places.push_back(corner);
-  auto points = MakeSourcePoints(places);
-  vtkNew<vtkIntArray> marks;
-  marks->SetName("Mark");
-  for (std::size_t k = 0; k < places.size(); ++k)
-  {
-    marks->InsertNextValue(static_cast<int>(k));
-  }
-  points->GetPointData()->AddArray(marks);
+  auto points = MakeSourcePoints({ inside, corner });
+  AddArray(points->GetPointData(), "Mark", { 7, 8 });
   sphere.Filter->SetEvaluationData(points);
   ExpectSuccess(sphere.Filter);
   vtkPolyData* evaluation = sphere.Filter->GetEvaluation();
-  ASSERT_EQ(evaluation->GetNumberOfPoints(), static_cast<vtkIdType>(places.size()));
+  ASSERT_EQ(evaluation->GetNumberOfPoints(), 2);
   EXPECT_TRUE(evaluation->GetPointData()->HasArray("Mark"));
   const std::vector<double> values = sphere.Evaluated();
-  for (std::size_t k = 0; k < places.size(); ++k)
-  {
-    // The expected value uses the chord, because the points lie slightly inside the sphere.
-    double square = 0.0;
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      square += (places[k][axis] - source[axis]) * (places[k][axis] - source[axis]);
-    }
-    EXPECT_NEAR(values[k], SphereGreens(1.0 - 0.5 * square), 4e-3) << k;
-  }
-  EXPECT_NEAR(values.back(), sphere.Values()[33], 1e-12);
+  EXPECT_NEAR(values[1], sphere.Values()[33], 1e-12);
   // Linear interpolation does not represent the pole.
   sphere.Filter->SetMethodToInterpolated();
   ExpectSuccess(sphere.Filter);
   EXPECT_GT(std::abs(sphere.Evaluated()[0] - values[0]), 0.05);
 }
 
-TEST(DiscreteGreensFunction, ZeroOnADirichletBoundary)
+TEST(DiscreteGreensFunction, IsZeroOnOtherComponents)
 {
-  Fixture grid(MakeGrid(24, 24));
-  grid.Filter->SetBoundaryToDirichlet();
-  grid.Filter->AddSourceId(12 * 25 + 12);
-  // In a face next to a corner of the boundary; the largest barycentric coordinate belongs to that
-  // corner.
-  grid.Filter->SetSourceData(MakeSourcePoints({ { 6.3, 0.2, 0.0 }, { 10.25, 11.5, 0.0 } }));
-  for (int method = 0; method < 4; ++method)
-  {
-    grid.Filter->SetMethod(method);
-    Listener listener(grid.Filter); // not all methods can be used so close to the boundary
-    grid.Filter->Update();
-    EXPECT_EQ(listener.Errors.size(), 0u);
-    for (int source = 0; source < 3; ++source)
-    {
-      const std::vector<double> values = grid.Values(source);
-      double largest = 0.0;
-      for (vtkIdType i = 0; i < 625; ++i)
-      {
-        const bool isOnRim = i % 25 == 0 || i % 25 == 24 || i / 25 == 0 || i / 25 == 24;
-        EXPECT_TRUE(!isOnRim || std::abs(values[i]) < 1e-12) << i << " " << values[i];
-        largest = std::max(largest, values[i]);
-      }
-      EXPECT_GT(largest, 0.03) << method << " " << source;
-    }
-  }
-}
-
-TEST(DiscreteGreensFunction, NothingReachesOtherParts)
-{
-  auto sphere = MakeSphere(3);
-  auto pair = Beside(sphere, MakeGrid(20, 20), 5.0);
-  pair->GetPoints()->InsertNextPoint(50.0, 0.0, 0.0); // no polygon uses this point
-  Fixture parts(pair);
+  const auto sphere = MakeSphere(2);
+  Fixture pair(Beside(sphere, sphere, 5.0));
   const vtkIdType n = sphere->GetNumberOfPoints();
-  parts.Filter->SetSourceIds({ 3, n + 220 });
-  parts.Filter->SetEvaluationData(MakeSourcePoints({ { 0.0, 0.0, 1.0 }, { 8.5, 4.25, 0.0 } }));
+  pair.Filter->SetSourceIds({ 3 });
+  pair.Filter->SetEvaluationData(MakeSourcePoints({ PointInCell(sphere, 9, { 0.2, 0.3, 0.5 }),
+    PointInCell(pair.Surface, sphere->GetNumberOfCells() + 9, { 0.2, 0.3, 0.5 }) }));
   for (int method = 0; method < 4; ++method)
   {
-    parts.Filter->SetMethod(method);
-    ExpectSuccess(parts.Filter);
-    for (vtkIdType i = 0; i < pair->GetNumberOfPoints(); ++i)
+    pair.Filter->SetMethod(method);
+    ExpectSuccess(pair.Filter);
+    for (vtkIdType i = 0; i < 2 * n; ++i)
     {
-      const bool isAlone = i == pair->GetNumberOfPoints() - 1;
-      EXPECT_EQ(parts.Values(0)[i] == 0.0, i >= n) << i;
-      EXPECT_EQ(parts.Values(1)[i] == 0.0, i < n || isAlone) << i;
+      EXPECT_EQ(pair.Values()[i] == 0.0, i >= n) << i;
     }
-    EXPECT_NE(parts.Evaluated(0)[0], 0.0);
-    EXPECT_EQ(parts.Evaluated(0)[1], 0.0);
-    EXPECT_EQ(parts.Evaluated(1)[0], 0.0);
-    EXPECT_NE(parts.Evaluated(1)[1], 0.0);
+    EXPECT_NE(pair.Evaluated()[0], 0.0);
+    EXPECT_EQ(pair.Evaluated()[1], 0.0);
   }
 }
 
@@ -311,30 +207,12 @@ TEST(DiscreteGreensFunction, WarnsWhereAMethodCannotBeUsed)
 
 /// A square of 10 x 10 squashed to a strip of relative height 1e-8, where only rounding error
 /// remains.
-TEST(ThinSurfaces, AreRefused)
+TEST(DiscreteGreensFunction, RefusesThinSurfaces)
 {
   vtkSmartPointer<vtkPolyData> surface = MakeGrid(10, 10, GridCells::Triangles);
-  for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
-  {
-    double p[3];
-    surface->GetPoint(i, p);
-    surface->GetPoints()->SetPoint(i, p[0], 1e-8 * p[1], p[2]);
-  }
-  const char* const said = "triangles are too thin";
+  MovePoints(surface, [&](double* p) { p[1] *= 1e-8; });
   vtkNew<vtkDiscreteGreensFunction> greens;
   greens->SetInputData(surface);
   greens->SetSourceIds({ 24 });
-  ExpectError(greens, { said });
-  for (const bool isExact : { false, true })
-  {
-    vtkNew<vtkBiharmonicDistance> biharmonic;
-    biharmonic->SetInputData(surface);
-    biharmonic->SetSourceIds({ 0 });
-    biharmonic->SetMethod(isExact ? vtkBiharmonicDistance::Exact : vtkBiharmonicDistance::Spectrum);
-    ExpectError(biharmonic, { said });
-  }
-  vtkNew<vtkHarmonicBSpline> splines;
-  splines->SetInputData(surface);
-  splines->SetNumberOfSites(8);
-  ExpectError(splines, { said });
+  ExpectError(greens, { "triangles are too thin" });
 }

@@ -5,27 +5,12 @@
 #include "FilterTestTools.h"
 
 #include "vtkApolloniusIsolines.h"
-#include "vtkDGGDistance.h"
-#include "vtkDGGFastMarchingDistance.h"
 #include "vtkExactGeodesicDistance.h"
 #include "vtkGeodesicProbe.h"
-#include "vtkGeodesicVoronoi.h"
-#include "vtkHeatGeodesicDistance.h"
-#include "vtkVirtualSourceGeodesicDistance.h"
 
-#include "vtkAppendPolyData.h"
 #include "vtkDataObject.h"
 #include "vtkDataSetAttributes.h"
-#include "vtkDoubleArray.h"
-#include "vtkFieldData.h"
-#include "vtkFloatArray.h"
-#include "vtkPointData.h"
-#include "vtkPoints.h"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <limits>
 #include <sstream>
 #include <type_traits>
 
@@ -116,11 +101,7 @@ TYPED_TEST(DistanceArrays, AreThoseThatAreNamed)
   auto surface = Copy(this->Distance);
   vtkPointData* data = surface->GetPointData();
   data->GetArray("GeodesicDistance")->SetName("mine");
-  vtkNew<vtkDoubleArray> other;
-  other->SetName("other");
-  other->SetNumberOfTuples(surface->GetNumberOfPoints());
-  other->Fill(1.0);
-  data->AddArray(other);
+  AddArray(data, "other", std::vector<double>(surface->GetNumberOfPoints(), 1.0));
   data->SetActiveScalars("mine");
   filter->SetInputData(surface);
 
@@ -203,30 +184,6 @@ TYPED_TEST(DistanceArrays, UnreachedPointsMayHaveAnyValue)
   }
 }
 
-TYPED_TEST(DistanceArrays, UnreachedPointsOfAnyDistanceFilter)
-{
-  vtkNew<vtkDGGDistance> graph;
-  vtkNew<vtkHeatGeodesicDistance> heat;
-  vtkNew<vtkDGGFastMarchingDistance> marching;
-  vtkNew<vtkVirtualSourceGeodesicDistance> propagation;
-  for (vtkGeodesicDistanceAlgorithm* distance : { static_cast<vtkGeodesicDistanceAlgorithm*>(graph),
-         static_cast<vtkGeodesicDistanceAlgorithm*>(heat),
-         static_cast<vtkGeodesicDistanceAlgorithm*>(marching),
-         static_cast<vtkGeodesicDistanceAlgorithm*>(propagation) })
-  {
-    distance->SetInputData(MakeGrid(8, 8));
-    distance->AddSourceId(40);
-    distance->SetMaximumDistance(3.2);
-    distance->GenerateVirtualSourceOn();
-    this->Filter->SetInputConnection(distance->GetOutputPort());
-    ExpectSuccess(this->Filter);
-    const std::string expected = Describe(this->Filter);
-    distance->SetUnreachedValue(-1.0);
-    ExpectSuccess(this->Filter);
-    EXPECT_EQ(Describe(this->Filter), expected) << distance->GetClassName();
-  }
-}
-
 TYPED_TEST(DistanceArrays, UnreachedValueIsAProperty)
 {
   auto* filter = this->Filter.Get();
@@ -291,12 +248,8 @@ TYPED_TEST(DistanceArrays, AMaskOfAnotherLayoutIsNotRead)
   this->Distance->SetMaximumDistance(3.2);
   this->Distance->SetUnreachedValue(0.0);
   auto surface = Copy(this->Distance);
-  vtkNew<vtkDoubleArray> mask;
-  mask->SetName("GeodesicDistance.Unreached");
-  mask->SetNumberOfComponents(2);
-  mask->SetNumberOfTuples(surface->GetNumberOfPoints());
-  mask->Fill(1.0);
-  surface->GetPointData()->AddArray(mask);
+  AddArray(surface->GetPointData(), "GeodesicDistance.Unreached",
+    std::vector<double>(2 * surface->GetNumberOfPoints(), 1.0), 2);
   this->Filter->SetInputData(surface);
   Listener listener(this->Filter.Get());
   this->Filter->Update();

@@ -7,11 +7,7 @@
 
 #include "vtkSurfaceEarthMoversDistance.h"
 
-#include "vtkDoubleArray.h"
 #include "vtkErrorCode.h"
-#include "vtkPointData.h"
-
-#include <gtest/gtest.h>
 
 #include <cstddef>
 

@@ -7,14 +7,6 @@
 
 #include "vtkExactGeodesicDistance.h"
 
-#include "vtkCellArray.h"
-#include "vtkFieldData.h"
-#include "vtkPoints.h"
-
-#include <gtest/gtest.h>
-
-#include <cmath>
-
 using namespace dggtest;
 
 namespace
@@ -31,16 +23,6 @@ std::vector<double> Distances(
 }
 }
 
-TEST(ExactGeodesicDistance, TakesIdsInBraces)
-{
-  vtkNew<vtkExactGeodesicDistance> filter;
-  filter->SetSourceIds({ 0 }); // not a null list
-  ASSERT_EQ(filter->GetNumberOfSourceIds(), 1);
-  EXPECT_EQ(filter->GetSourceId(0), 0);
-  filter->SetSourceIds({ 3, 5 });
-  EXPECT_EQ(filter->GetNumberOfSourceIds(), 2);
-}
-
 TEST(ExactGeodesicDistance, Cube)
 {
   for (const int engine :
@@ -54,16 +36,6 @@ TEST(ExactGeodesicDistance, Cube)
       EXPECT_NEAR(distances[i], expected[i], 1e-12) << i;
     }
   }
-}
-
-TEST(ExactGeodesicDistance, PointsInTheMiddleOfFacesAndEdges)
-{
-  // From (0,0,0) to (1,1,1/2) on the unit cube; the target is inserted as a point on the edge.
-  auto cube = MakeCube();
-  const vtkIdType middle = cube->GetPoints()->InsertNextPoint(1.0, 1.0, 0.5);
-  cube->SetPolys(MakeCells({ { 0, 2, 3, 1 }, { 4, 5, 7, 6 }, { 0, 1, 5, 4 }, { 0, 4, 6, 2 },
-    { 2, 6, 7, middle, 3 }, { 1, 3, middle, 7, 5 } }));
-  EXPECT_NEAR(Distances(cube, 0)[middle], std::sqrt(13.0) / 2.0, 1e-12);
 }
 
 TEST(ExactGeodesicDistance, FloatAndDoublePointsAgree)

@@ -7,22 +7,12 @@
 #include "ExtraMeshes.h"
 #include "FilterTestTools.h"
 
-#include "vtkCellData.h"
 #include "vtkDGGDistance.h"
 #include "vtkDGGPath.h"
-#include "vtkDataArray.h"
-#include "vtkFieldData.h"
 #include "vtkGeodesicSampler.h"
 #include "vtkGeodesicVoronoi.h"
 #include "vtkPLYReader.h"
 #include "vtkPointCloudDGG.h"
-#include "vtkPointData.h"
-
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <string>
-#include <vector>
 
 namespace dggtest
 {

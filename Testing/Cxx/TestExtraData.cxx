@@ -19,18 +19,10 @@
 #include "dggSourcePropagation.h"
 #include "dggSurfaceMesh.h"
 
-#include <gtest/gtest.h>
-
 #include <vtkPolyData.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <cstddef>
 #include <iostream>
-#include <map>
-#include <string>
-#include <vector>
 
 namespace
 {
@@ -417,93 +409,6 @@ TEST_P(ExtraData, PropagationQualities)
               << 100.0 * *range.first << " to " << 100.0 * *range.second << " %\n";
   }
   EXPECT_LE(means[1], 1.02 * means[0]); // equally accurate on smooth meshes
-}
-
-/// Virtual sources are at least as accurate as linear interpolation, also on coarse CAD models: far
-/// more accurate on average, and hardly worse at the worst point.
-TEST_P(ExtraData, VirtualSourcesBeatLinearInterpolation)
-{
-  const auto n = static_cast<dgg::Id>(this->GetNumberOfVertices());
-  if (n > 15000)
-  {
-    return;
-  }
-  // Prepared in the same way as by the filters.
-  std::vector<dgg::Id> triangles = this->Arrays.Triangles;
-  std::vector<dgg::Id> parents;
-  dgg::SplitCaps(this->Arrays.Points.data(), triangles, parents);
-  dgg::SurfaceMesh surface;
-  ASSERT_TRUE(dgg::SurfaceMesh::FromPoints(this->Arrays.Points.data(), n, triangles.data(),
-    static_cast<dgg::Offset>(triangles.size() / 3), surface)
-                .IsOk());
-  dgg::GeodesicGraph graph;
-  ASSERT_TRUE(dgg::GraphBuilder(surface).Build({}, graph).IsOk());
-  const dgg::GraphSearch search(graph.View(), &surface);
-  const std::array<const char*, 3> names{ { "linear", "exact", "graph" } };
-  std::array<double, 3> sums{};
-  std::array<double, 3> largest{};
-  for (dgg::Id k = 0; k < 6; ++k)
-  {
-    dgg::Id source = static_cast<dgg::Id>(dgg::Offset(n) * (2 * k + 1) / 12);
-    while (surface.Kind(source) == dgg::VertexKind::Isolated)
-    {
-      source = (source + 1) % n;
-    }
-    const dgg::GeodesicSource start{ dgg::SurfacePoint::AtVertex(source), 0.0 };
-    dgg::ExactOptions options;
-    options.KeepWindows = true;
-    dgg::ExactResult exact;
-    ASSERT_TRUE(dgg::ExactGeodesics(surface).Run({ start }, options, exact).IsOk());
-    dgg::VirtualSources ofExact;
-    dgg::FindVirtualSources(surface, { start }, exact, ofExact);
-    dgg::GraphSeed seed;
-    seed.Vertex = source;
-    dgg::SearchOptions searchOptions;
-    searchOptions.Correct = true;
-    dgg::SearchResult found;
-    ASSERT_TRUE(search.Run({ seed }, searchOptions, found).IsOk());
-    dgg::VirtualSources ofGraph;
-    dgg::FindVirtualSources(surface, found, found.Corrected, ofGraph);
-    const std::array<dgg::DistanceField, 4> fields{ {
-      { &surface, exact.Distances.data(), nullptr, nullptr },
-      { &surface, exact.Distances.data(), nullptr, &ofExact },
-      { &surface, found.Corrected.data(), nullptr, &ofGraph },
-      { &surface, exact.Distances.data(), &exact.Windows, nullptr },
-    } };
-    std::vector<dgg::FaceProfile> profiles(fields.begin(), fields.end());
-    for (dgg::Id f = 0; f < surface.GetNumberOfFaces(); ++f)
-    {
-      if (!fields[3].IsReached(f) || !fields[2].IsReached(f))
-      {
-        continue;
-      }
-      for (dgg::FaceProfile& profile : profiles)
-      {
-        profile.Enter(f);
-      }
-      for (int i = 0; i < 3; ++i)
-      {
-        std::array<double, 3> b{ { 0.2, 0.2, 0.2 } };
-        b[i] = 0.6;
-        const dgg::Point2 p = profiles[3].PlaceOf(b);
-        const double d = profiles[3].At(p);
-        for (int m = 0; m < 3; ++m)
-        {
-          const double error = std::abs(profiles[m].At(p) - d);
-          sums[m] += error;
-          largest[m] = std::max(largest[m], error);
-        }
-      }
-    }
-  }
-  for (int m = 1; m < 3; ++m)
-  {
-    SCOPED_TRACE(names[m]);
-    EXPECT_LT(sums[m], 0.7 * sums[0]);
-    EXPECT_LT(largest[m], 2.0 * largest[0]);
-    std::cout << names[m] << ": mean error " << sums[m] / sums[0] << ", largest "
-              << largest[m] / largest[0] << " of that of linear interpolation\n";
-  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Real, ExtraData, testing::ValuesIn(FindExtraMeshes()), NameExtraMesh);

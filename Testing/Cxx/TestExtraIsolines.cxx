@@ -12,13 +12,6 @@
 #include "vtkDGGDistance.h"
 #include "vtkExactGeodesicDistance.h"
 
-#include "vtkDoubleArray.h"
-#include "vtkPointData.h"
-
-#include <gtest/gtest.h>
-
-#include <vector>
-
 using namespace dggtest;
 
 namespace

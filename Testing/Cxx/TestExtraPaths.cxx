@@ -7,11 +7,6 @@
 #include "MeshFile.h"
 #include "PathTestTools.h"
 
-#include "vtkExactGeodesicDistance.h"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
 #include <iostream>
 #include <random>
 
@@ -132,36 +127,6 @@ TEST_P(ExtraPaths, KeepTheirPromise)
   }
   std::cout << shortest << " of " << paths.size() << " paths are shortest, the others up to "
             << 100.0 * worst << " % longer\n";
-}
-
-TEST_P(ExtraPaths, ExactOnesAreAsLongAsTheDistance)
-{
-  const Points ends = this->MakeEnds();
-  vtkNew<vtkDGGPath> filter;
-  filter->SetInputData(this->Surface);
-  filter->SetMethodToExact();
-  filter->SetPairData(MakePairs(Points(ends.begin(), ends.begin() + 2 * EndsPerStart)));
-  const auto paths = this->Run(filter);
-  vtkNew<vtkExactGeodesicDistance> distance;
-  distance->SetInputData(this->Surface);
-  distance->SetSourceData(MakeSourcePoints({ ends[0] }));
-  const Listener listener(distance);
-  distance->Update();
-  const auto distances = GetDistances(distance);
-  int compared = 0;
-  for (const PathLine& path : paths)
-  {
-    const vtkIdType end = path.PointIds.back();
-    if (end >= 0)
-    {
-      EXPECT_NEAR(path.Length, distances[end], 1e-9 * distances[end] + GetSlack(filter));
-      ++compared;
-    }
-  }
-  if (GetReported(filter, "NumberOfComponents") == 1)
-  {
-    EXPECT_EQ(compared, EndsPerStart / 2);
-  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Real, ExtraPaths, testing::ValuesIn(FindExtraMeshes()), NameExtraMesh);

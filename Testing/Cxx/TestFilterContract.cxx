@@ -8,21 +8,7 @@
 
 #include "vtkGeodesicDistanceAlgorithm.h"
 
-#include "vtkCellData.h"
-#include "vtkCommand.h"
-#include "vtkDataArray.h"
-#include "vtkFieldData.h"
-#include "vtkFloatArray.h"
-#include "vtkPointData.h"
-#include "vtkPoints.h"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <limits>
 #include <sstream>
-#include <string>
-#include <vector>
 
 using namespace dggtest;
 
@@ -150,13 +136,7 @@ TEST_P(FilterContract, RunsWhenSomethingHasChanged)
   EXPECT_EQ(counter.Starts, 1);
   EXPECT_EQ(filter->GetMeshBuildTime(), built);
   EXPECT_TRUE(DescribeOutputs(filter) == expected);
-  for (vtkIdType i = 0; i < this->Relief->GetNumberOfPoints(); ++i)
-  {
-    double p[3];
-    this->Relief->GetPoint(i, p);
-    this->Relief->GetPoints()->SetPoint(i, p[0], p[1], 1.01 * p[2]);
-  }
-  this->Relief->GetPoints()->Modified();
+  MovePoints(this->Relief, [&](double* p) { p[2] *= 1.01; });
   ExpectSuccess(filter);
   EXPECT_EQ(counter.Starts, 2);
   EXPECT_GT(filter->GetMeshBuildTime(), built);

@@ -6,24 +6,13 @@
 #include "FilterTestTools.h"
 #include "SpectralTestTools.h"
 
-#include "vtkApolloniusIsolines.h"
 #include "vtkDGGDistance.h"
 #include "vtkExactGeodesicDistance.h"
 #include "vtkGeodesicProbe.h"
 
-#include "vtkCellData.h"
-#include "vtkFieldData.h"
-#include "vtkFloatArray.h"
-#include "vtkIdList.h"
-#include "vtkPointData.h"
-#include "vtkPoints.h"
 #include "vtkXMLPolyDataReader.h"
 #include "vtkXMLPolyDataWriter.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
 #include <cstring>
 
 using namespace dggtest;
@@ -72,41 +61,39 @@ protected:
 };
 }
 
-TEST_F(GeodesicProbe, FitsSourcesToDistancesAlone)
+TEST_F(GeodesicProbe, UsesTheMostExactFieldOfItsInput)
 {
-  ExpectSuccess(this->Probe);
-  EXPECT_EQ(this->Probe->GetOutput()->GetNumberOfPoints(), this->Places->GetNumberOfPoints());
-  EXPECT_LT(this->GetError(), 1e-6);
+  const auto expectError = [this](double tolerance) {
+    ExpectSuccess(this->Probe);
+    EXPECT_EQ(this->Probe->GetOutput()->GetNumberOfPoints(), this->Places->GetNumberOfPoints());
+    EXPECT_LT(this->GetError(), tolerance);
+  };
+  expectError(1e-6); // sources fitted to distances alone
+  this->Distance->GenerateVirtualSourceOn();
+  expectError(1e-12);
+  this->Distance->GenerateWindowsOn();
+  expectError(1e-12);
+  vtkNew<vtkDGGDistance> graph;
+  graph->SetInputData(this->Distance->GetInput());
+  graph->AddSourceId(40);
+  graph->GenerateVirtualSourceOn();
+  this->Probe->SetInputConnection(graph->GetOutputPort());
+  expectError(1e-4);
 }
 
 TEST_F(GeodesicProbe, PointsOfTheSurfaceNeedNoTolerance)
 {
   // The surface is not flat and lies far from the origin.
   auto terrain = MakeTerrain(12);
-  vtkPoints* points = terrain->GetPoints();
-  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
-  {
-    double p[3];
-    points->GetPoint(i, p);
-    points->SetPoint(i, p[0] + 1000.0, p[1] / 3.0, p[2] - 700.0);
-  }
+  MovePoints(terrain, [&](double* p) {
+    p[0] = p[0] + 1000.0;
+    p[1] = p[1] / 3.0;
+    p[2] = p[2] - 700.0;
+  });
   Points places;
-  vtkNew<vtkIdList> ids;
   for (vtkIdType cell = 0; cell < terrain->GetNumberOfCells(); ++cell)
   {
-    terrain->GetCellPoints(cell, ids);
-    std::array<double, 3> place{ { 0.0, 0.0, 0.0 } };
-    const double weights[3] = { 0.3, 0.6, 0.1 };
-    for (vtkIdType k = 0; k < 3; ++k)
-    {
-      double p[3];
-      points->GetPoint(ids->GetId(k), p);
-      for (int axis = 0; axis < 3; ++axis)
-      {
-        place[axis] += weights[k] * p[axis];
-      }
-    }
-    places.push_back(place);
+    places.push_back(PointInCell(terrain, cell, { { 0.3, 0.6, 0.1 } }));
   }
   this->Distance->SetInputData(terrain);
   this->Probe->SetProjectionTolerance(0.0);
@@ -115,13 +102,6 @@ TEST_F(GeodesicProbe, PointsOfTheSurfaceNeedNoTolerance)
   places[7][2] += 1e-9;
   this->Probe->SetProbeData(MakeSourcePoints(places));
   ExpectError(this->Probe, { "probe point 7", "farther than 0 (" });
-}
-
-TEST_F(GeodesicProbe, IsExactWithWindows)
-{
-  this->Distance->GenerateWindowsOn();
-  ExpectSuccess(this->Probe);
-  EXPECT_LT(this->GetError(), 1e-12);
 }
 
 TEST_F(GeodesicProbe, WindowsSurviveAFile)
@@ -164,20 +144,6 @@ TEST_F(GeodesicProbe, WindowsMayBeOfAnyTypeOf64BitIntegers)
     ExpectSuccess(this->Probe);
     EXPECT_LT(this->GetError(), 1e-12) << type;
   }
-}
-
-TEST_F(GeodesicProbe, IsExactInThePlaneWithVirtualSources)
-{
-  this->Distance->GenerateVirtualSourceOn();
-  ExpectSuccess(this->Probe);
-  EXPECT_LT(this->GetError(), 1e-12);
-  vtkNew<vtkDGGDistance> graph;
-  graph->SetInputData(this->Distance->GetInput());
-  graph->AddSourceId(40);
-  graph->GenerateVirtualSourceOn();
-  this->Probe->SetInputConnection(graph->GetOutputPort());
-  ExpectSuccess(this->Probe);
-  EXPECT_LT(this->GetError(), 1e-4);
 }
 
 TEST_F(GeodesicProbe, WhatDoesNotBelongIsIgnoredWithAWarning)
@@ -309,50 +275,6 @@ TEST_F(GeodesicProbe, SourcesGoWithTheirDistances)
   again->Update();
   ASSERT_NE(data->GetArray("GeodesicVirtualSource"), nullptr);
   EXPECT_EQ(data->GetArray("GeodesicVirtualSource")->GetNumberOfComponents(), 1);
-}
-
-TEST_F(GeodesicProbe, IsTheLevelOnIsolines)
-{
-  // Distances on edges come from both faces; at the rim of the reached region only from one.
-  this->Distance->SetInputData(MakeTerrain(20));
-  this->Distance->SetSourceIds({ 30 });
-  vtkNew<vtkApolloniusIsolines> isolines;
-  isolines->SetInputConnection(this->Distance->GetOutputPort());
-  isolines->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
-  isolines->GenerateValues(25, 0.02, 0.6);
-  for (const double maximum : { VTK_DOUBLE_MAX, 0.55 })
-  {
-    this->Distance->SetMaximumDistance(maximum);
-    for (const int extra : { 0, 1, 2 })
-    {
-      this->Distance->SetGenerateVirtualSource(extra == 1);
-      this->Distance->SetGenerateWindows(extra == 2);
-      ExpectSuccess(isolines);
-      vtkPolyData* lines = isolines->GetOutput();
-      this->Probe->SetProbeData(lines);
-      ExpectSuccess(this->Probe);
-      vtkDataArray* found = this->Probe->GetOutput()->GetPointData()->GetArray("GeodesicDistance");
-      vtkDataArray* levels = lines->GetCellData()->GetArray("IsoValue");
-      ASSERT_NE(found, nullptr);
-      ASSERT_NE(levels, nullptr);
-      EXPECT_GT(found->GetNumberOfTuples(), 1000);
-      double largest = 0.0;
-      vtkIdType unknown = 0;
-      vtkNew<vtkIdList> ids;
-      for (vtkIdType line = 0; line < lines->GetNumberOfCells(); ++line)
-      {
-        lines->GetCellPoints(line, ids);
-        for (vtkIdType k = 0; k < ids->GetNumberOfIds(); ++k)
-        {
-          const double d = found->GetComponent(ids->GetId(k), 0);
-          unknown += std::isnan(d) ? 1 : 0;
-          largest = std::max(largest, std::abs(d - levels->GetComponent(line, 0)));
-        }
-      }
-      EXPECT_EQ(unknown, 0) << extra << " " << maximum;
-      EXPECT_LT(largest, 1e-9) << extra << " " << maximum;
-    }
-  }
 }
 
 TEST_F(GeodesicProbe, UnreachedIsNaN)

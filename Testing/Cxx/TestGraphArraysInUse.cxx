@@ -9,13 +9,8 @@
 #include "vtkGeodesicDistanceMatrix.h"
 
 #include "vtkCallbackCommand.h"
-#include "vtkDataArray.h"
-#include "vtkFieldData.h"
 #include "vtkTypeInt32Array.h"
 
-#include <gtest/gtest.h>
-
-#include <functional>
 #include <sstream>
 
 using namespace dggtest;

@@ -6,11 +6,6 @@
 
 #include "vtkAlgorithmOutput.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-
 using namespace dggtest;
 
 namespace

@@ -12,8 +12,6 @@
 #include "vtkGeodesicSampler.h"
 #include "vtkGeodesicVoronoi.h"
 
-#include <gtest/gtest.h>
-
 #include <random>
 
 using namespace dggtest;

@@ -13,16 +13,7 @@
 #include "vtkGeodesicPatchBoundaries.h"
 
 #include "vtkActor.h"
-#include "vtkCellData.h"
-#include "vtkDataArray.h"
-#include "vtkIntArray.h"
-#include "vtkMath.h"
-#include "vtkPointData.h"
 #include "vtkProperty.h"
-
-#include <gtest/gtest.h>
-
-#include <cmath>
 
 using namespace dggtest;
 
@@ -251,13 +242,11 @@ TEST(ImageCurves, PatchBoundaries)
     { 5, 3, 2 }, { 5, 4, 3 }, { 5, 1, 4 } };
   auto pebble = MakePebble(3);
   auto bean = MakeSphere(3);
-  for (vtkIdType i = 0; i < bean->GetNumberOfPoints(); ++i)
-  {
-    double p[3];
-    bean->GetPoint(i, p);
-    const double x = 0.9 * p[0] + 0.45 * p[2] * p[2];
-    bean->GetPoints()->SetPoint(i, x, 0.8 * p[1] * (1.0 - 0.3 * p[2]), 1.15 * p[2]);
-  }
+  MovePoints(bean, [&](double* p) {
+    p[0] = 0.9 * p[0] + 0.45 * p[2] * p[2];
+    p[1] = 0.8 * p[1] * (1.0 - 0.3 * p[2]);
+    p[2] *= 1.15;
+  });
   // The corners of an octahedron, three of them facing the viewer.
   const auto landmarks = [](vtkPolyData* surface, double turn) {
     const double towards[3] = { 0.36, -0.81, 0.46 };
@@ -299,13 +288,7 @@ TEST(ImageCurves, PatchBoundaries)
     EXPECT_EQ(curves->GetNumberOfLines(), 12);
     vtkSmartPointer<vtkPolyData> surface = port == 0 ? pebble : bean;
     EXPECT_GT(ExpectPiecesInTheirFaces(surface, curves), 100);
-    vtkNew<vtkIntArray> numbers;
-    numbers->SetName("Number");
-    for (int i = 0; i < 12; ++i)
-    {
-      numbers->InsertNextValue(i);
-    }
-    curves->GetCellData()->AddArray(numbers);
+    AddArray(curves->GetCellData(), "Number", { 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11 });
     scene.AddPanel(PebbleView);
     scene.AddSurface(surface);
     scene.AddLines(curves, 0.025, "Number", NumberColors(12));

@@ -16,17 +16,8 @@
 #include "vtkVirtualSourceGeodesicDistance.h"
 
 #include "vtkActor.h"
-#include "vtkCellArray.h"
-#include "vtkCellData.h"
-#include "vtkDoubleArray.h"
 #include "vtkLinearSubdivisionFilter.h"
-#include "vtkPointData.h"
 #include "vtkProperty.h"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
 
 using namespace dggtest;
 
@@ -63,13 +54,12 @@ void AddErrors(ImageScene& scene, vtkGeodesicDistanceAlgorithm* filter, double l
   ExpectSuccess(filter);
   const auto exact = GetExactDistances(terrain, { source });
   const auto distances = GetDistances(filter);
-  vtkNew<vtkDoubleArray> array;
-  array->SetName("Error");
+  std::vector<double> errors;
   for (std::size_t i = 0; i < distances.size(); ++i)
   {
-    array->InsertNextValue(exact[i] > 0.0 ? 100.0 * (distances[i] / exact[i] - 1.0) : 0.0);
+    errors.push_back(exact[i] > 0.0 ? 100.0 * (distances[i] / exact[i] - 1.0) : 0.0);
   }
-  filter->GetOutput()->GetPointData()->AddArray(array);
+  AddArray(filter->GetOutput()->GetPointData(), "Error", errors);
   scene.AddPanel(TerrainView);
   scene.AddSurface(filter->GetOutput(), "Error", ErrorColors(largest));
   scene.AddContours(filter->GetOutput(), 0.003, filter->GetDistanceArrayName(), 0.1, 1.3, 13);
@@ -83,10 +73,7 @@ TEST(ImageDistances, Exact)
   filter->SetInputData(MakeCutTerrain());
   filter->AddSourceId(60 * 12 + 9);
   auto sources = MakeSourcePoints({ { { 0.71, 0.84, 0.0 } } });
-  vtkNew<vtkDoubleArray> start;
-  start->SetName("InitialDistance");
-  start->InsertNextValue(0.25);
-  sources->GetPointData()->AddArray(start);
+  AddArray(sources->GetPointData(), "InitialDistance", { 0.25 });
   filter->SetSourceData(sources);
   filter->SetProjectionTolerance(0.2); // the point is projected onto the surface
   ExpectSuccess(filter);
@@ -149,13 +136,8 @@ TEST(ImageDistances, ErrorsOfTheGraph)
 TEST(ImageDistances, QuadsAndComponents)
 {
   auto relief = MakeGrid(14, 11, GridCells::Quads);
-  for (vtkIdType i = 0; i < relief->GetNumberOfPoints(); ++i)
-  {
-    double p[3];
-    relief->GetPoint(i, p);
-    relief->GetPoints()->SetPoint(
-      i, p[0], p[1], 0.8 * std::sin(0.5 * p[0]) + 0.6 * std::cos(0.3 * p[0] + p[1]));
-  }
+  MovePoints(relief,
+    [&](double* p) { p[2] = 0.8 * std::sin(0.5 * p[0]) + 0.6 * std::cos(0.3 * p[0] + p[1]); });
   auto small = MakeGrid(5, 8, GridCells::Quads);
   auto surface = Beside(Beside(relief, small, 16.0), small, 23.0);
   vtkNew<vtkExactGeodesicDistance> filter;
@@ -241,16 +223,15 @@ TEST(ImageDistances, Matrix)
   filter->SetColumnIds(columns);
   ExpectSuccess(filter);
   auto grid = MakeGrid(side, numberOfRows, GridCells::Quads, 1.0 / side);
-  vtkNew<vtkDoubleArray> values;
-  values->SetName("Distance");
+  std::vector<double> values;
   for (int row = 0; row < numberOfRows; ++row)
   {
     for (int column = 0; column < side; ++column)
     {
-      values->InsertNextValue(filter->GetMatrix()->GetComponent(row, column));
+      values.push_back(filter->GetMatrix()->GetComponent(row, column));
     }
   }
-  grid->GetCellData()->AddArray(values);
+  AddArray(grid->GetCellData(), "Distance", values);
 
   ImageScene scene(2, 1, 240, 200);
   scene.AddPanel(TerrainView);

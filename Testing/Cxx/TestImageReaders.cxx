@@ -8,13 +8,7 @@
 #include "vtkPCDReader.h"
 #include "vtkPCDWriter.h"
 
-#include "vtkPointData.h"
-#include "vtkUnsignedCharArray.h"
-
-#include <gtest/gtest.h>
-
 #include <fstream>
-#include <string>
 
 using namespace dggtest;
 

@@ -9,16 +9,7 @@
 #include "vtkGeodesicVoronoi.h"
 
 #include "vtkActor.h"
-#include "vtkCellData.h"
-#include "vtkDataArray.h"
-#include "vtkFieldData.h"
-#include "vtkPointData.h"
 #include "vtkProperty.h"
-
-#include <gtest/gtest.h>
-
-#include <set>
-#include <utility>
 
 using namespace dggtest;
 

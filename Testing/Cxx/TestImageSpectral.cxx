@@ -14,16 +14,7 @@
 #include "vtkSurfaceEarthMoversDistance.h"
 
 #include "vtkCellCenters.h"
-#include "vtkIntArray.h"
 #include "vtkLinearSubdivisionFilter.h"
-#include "vtkMath.h"
-#include "vtkPointData.h"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <numeric>
 
 using namespace dggtest;
 

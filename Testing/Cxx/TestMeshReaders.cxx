@@ -14,7 +14,6 @@
 
 #include <zlib.h>
 
-#include <algorithm>
 #include <cstdint>
 #include <cstring>
 
@@ -285,114 +284,62 @@ const FileCase XYZCases[] = {
   { "no points", "# c\n", "the file has no points" },
 };
 
+/// Parts of a valid file of any number of points. '@' stands for the number of points, and '#' for
+/// the index of a row.
+struct GoodFile
+{
+  const char* Name;
+  bool HasCounts; ///< true if truncation is always detected
+  std::string Head;
+  std::string Row;
+  std::string Tail = "";
+  int FirstRow = 2;
+
+  std::string Make(int points) const
+  {
+    std::string file = this->Head;
+    const std::size_t count = file.find('@');
+    if (count != std::string::npos)
+    {
+      file.replace(count, 1, std::to_string(points));
+    }
+    const std::size_t index = this->Row.find('#');
+    for (int i = this->FirstRow; i < points; ++i)
+    {
+      file += this->Row.substr(0, index) + std::to_string(i) + this->Row.substr(index + 1);
+    }
+    return file + this->Tail;
+  }
+};
 template <typename ReaderType>
-struct Good;
+const GoodFile Good = { "mesh.obj", false, "v 1.5 2.25 1000.5\nv 1 0 0\n", "v 0 1 #\nf 1 2 3\n" };
 template <>
-struct Good<vtkDGGOBJReader>
-{
-  static constexpr const char* Name = "mesh.obj";
-  static constexpr bool HasCounts = false;
-  static std::string Make(int points)
-  {
-    std::string file = "v 1.5 2.25 1000.5\nv 1 0 0\n";
-    for (int i = 2; i < points; ++i)
-    {
-      file += "v 0 1 " + std::to_string(i) + "\nf 1 2 3\n";
-    }
-    return file;
-  }
-};
+const GoodFile Good<vtkDGGOFFReader> = { "mesh.off", true, "OFF @ 1 0\n1.5 2.25 1000.5\n1 0 0\n",
+  "0 1 #\n", "3 0 1 2\n" };
 template <>
-struct Good<vtkDGGOFFReader>
-{
-  static constexpr const char* Name = "mesh.off";
-  static constexpr bool HasCounts = true;
-  static std::string Make(int points)
-  {
-    std::string file = "OFF " + std::to_string(points) + " 1 0\n1.5 2.25 1000.5\n1 0 0\n";
-    for (int i = 2; i < points; ++i)
-    {
-      file += "0 1 " + std::to_string(i) + "\n";
-    }
-    return file + "3 0 1 2\n";
-  }
-};
+const GoodFile Good<vtkPCDReader> = { "cloud.pcd", true,
+  "FIELDS x y z\nPOINTS @\nDATA ascii\n1.5 2.25 1000.5\n", "# 0 1\n", "", 1 };
 template <>
-struct Good<vtkPCDReader>
-{
-  static constexpr const char* Name = "cloud.pcd";
-  static constexpr bool HasCounts = true;
-  static std::string Make(int points)
-  {
-    std::string file =
-      "FIELDS x y z\nPOINTS " + std::to_string(points) + "\nDATA ascii\n1.5 2.25 1000.5\n";
-    for (int i = 1; i < points; ++i)
-    {
-      file += std::to_string(i) + " 0 1\n";
-    }
-    return file;
-  }
-};
+const GoodFile Good<vtkDGGPLYReader> = { "mesh.ply", true,
+  MakeTextPLY(
+    "", "element face 1\nproperty list int int vertex_indices\n", "1.5 2.25 1000.5\n1 0 0\n", "@"),
+  "0 1 #\n", "3 0 1 2\n" };
 template <>
-struct Good<vtkDGGPLYReader>
-{
-  static constexpr const char* Name = "mesh.ply";
-  static constexpr bool HasCounts = true;
-  static std::string Make(int points)
-  {
-    std::string file = "1.5 2.25 1000.5\n1 0 0\n";
-    for (int i = 2; i < points; ++i)
-    {
-      file += "0 1 " + std::to_string(i) + "\n";
-    }
-    return MakeTextPLY("", "element face 1\nproperty list int int vertex_indices\n",
-      file + "3 0 1 2\n", std::to_string(points));
-  }
-};
+const GoodFile Good<vtkDGGSTLReader> = { "mesh.stl", true, "solid\n",
+  "facet normal 0 0 1\nouter loop\nvertex 1.5 2.25 1000.5\nvertex 1 0 0\nvertex 0 1 #\nendloop\n"
+  "endfacet\n",
+  "endsolid\n" };
 template <>
-struct Good<vtkDGGSTLReader>
-{
-  static constexpr const char* Name = "mesh.stl";
-  static constexpr bool HasCounts = true;
-  static std::string Make(int points)
-  {
-    std::string file = "solid\n";
-    for (int i = 2; i < points; ++i)
-    {
-      file += "facet normal 0 0 1\nouter loop\nvertex 1.5 2.25 1000.5\nvertex 1 0 0\nvertex 0 1 " +
-        std::to_string(i) + "\nendloop\nendfacet\n";
-    }
-    return file + "endsolid\n";
-  }
-};
-template <>
-struct Good<vtkDGGXYZReader>
-{
-  static constexpr const char* Name = "cloud.xyz";
-  static constexpr bool HasCounts = false;
-  static std::string Make(int points)
-  {
-    std::string file = "1.5 2.25 1000.5\n";
-    for (int i = 1; i < points; ++i)
-    {
-      file += "0 1 " + std::to_string(i) + "\n";
-    }
-    return file;
-  }
-};
+const GoodFile Good<vtkDGGXYZReader> = { "cloud.xyz", false, "1.5 2.25 1000.5\n", "0 1 #\n", "",
+  1 };
 
 template <typename ReaderType>
 class MeshReaders : public dggtest::ReaderFixture<ReaderType>
 {
 protected:
   MeshReaders()
-    : dggtest::ReaderFixture<ReaderType>(Good<ReaderType>::Name, GoodFile().c_str())
+    : dggtest::ReaderFixture<ReaderType>(::Good<ReaderType>.Name, ::Good<ReaderType>.Make(3))
   {
-  }
-  static const std::string& GoodFile()
-  {
-    static const std::string file = Good<ReaderType>::Make(3);
-    return file;
   }
 };
 
@@ -433,7 +380,7 @@ TEST_F(PLYReader, WarnsOfTruncatedLastNumbers)
 
 TEST_F(PLYReader, RecognizesByteOrderMarks)
 {
-  const std::string path = this->Write("\xEF\xBB\xBF" + this->GoodFile());
+  const std::string path = this->Write("\xEF\xBB\xBF" + this->Good);
   EXPECT_EQ(vtkDGGPLYReader::CanReadFile(path.c_str()), 1);
 }
 
@@ -474,12 +421,12 @@ TYPED_TEST_SUITE(MeshReaders, ReaderTypes);
 
 TYPED_TEST(MeshReaders, NoticesTruncatedFiles)
 {
-  this->CheckTruncation(Good<TypeParam>::Make(30), Good<TypeParam>::HasCounts);
+  this->CheckTruncation(::Good<TypeParam>.Make(30), ::Good<TypeParam>.HasCounts);
 }
 
 TYPED_TEST(MeshReaders, ReadsCompressedFiles)
 {
-  const std::string& content = this->GoodFile();
+  const std::string& content = this->Good;
   const std::string expected = Describe(this->ReadWell(content));
   const std::string path = this->GetPath("file.gz");
   gzFile file = gzopen(path.c_str(), "wb");
@@ -503,10 +450,10 @@ TYPED_TEST(MeshReaders, FilesThatCannotBeRead)
 
 TYPED_TEST(MeshReaders, ProgressAndAbort)
 {
-  this->CheckProgress(Good<TypeParam>::Make(100000), 100000);
+  this->CheckProgress(::Good<TypeParam>.Make(100000), 100000);
 }
 
 TYPED_TEST(MeshReaders, Locales)
 {
-  this->CheckLocales(this->GoodFile());
+  this->CheckLocales(this->Good);
 }

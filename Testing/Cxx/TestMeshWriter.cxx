@@ -13,19 +13,8 @@
 #include "vtkDGGXYZReader.h"
 #include "vtkPCDReader.h"
 
-#include "vtkDoubleArray.h"
 #include "vtkErrorCode.h"
-#include "vtkFloatArray.h"
-#include "vtkIdTypeArray.h"
-#include "vtkIntArray.h"
-#include "vtkNew.h"
-#include "vtkStringArray.h"
-#include "vtkUnsignedCharArray.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
 #include <filesystem>
 
 namespace

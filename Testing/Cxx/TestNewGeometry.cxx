@@ -10,17 +10,6 @@
 #include "vtkExactGeodesicDistance.h"
 #include "vtkGeodesicPatchBoundaries.h"
 
-#include "vtkCellData.h"
-#include "vtkDataArray.h"
-#include "vtkFieldData.h"
-#include "vtkPointData.h"
-#include "vtkPoints.h"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <vector>
-
 using namespace dggtest;
 
 namespace
@@ -167,12 +156,11 @@ TEST_P(NewGeometry, OutOfTheRangeOfFloats)
   for (const double unit : { 1e45, 1e-45 })
   {
     auto surface = MakeRelief(VTK_DOUBLE);
-    for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
-    {
-      double p[3];
-      surface->GetPoint(i, p);
-      surface->GetPoints()->SetPoint(i, unit * p[0], unit * p[1], unit * p[2]);
-    }
+    MovePoints(surface, [&](double* p) {
+      p[0] *= unit;
+      p[1] *= unit;
+      p[2] *= unit;
+    });
     const auto filter = this->GetParam().Make(surface);
     if (auto* loop = vtkDGGLoop::SafeDownCast(filter))
     {

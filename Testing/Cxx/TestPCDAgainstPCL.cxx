@@ -5,21 +5,14 @@
 #include "PCDTestTools.h"
 
 #include "vtkDGGPointCloudConversions.h"
-#include "vtkDataArray.h"
-#include "vtkFieldData.h"
 #include "vtkPCDWriter.h"
-#include "vtkPointData.h"
 
 #include <pcl/io/pcd_io.h>
 #include <pcl/point_types.h>
 
-#include <cmath>
 #include <cstdint>
 #include <cstring>
-#include <limits>
 #include <random>
-#include <string>
-#include <vector>
 
 namespace dggtest
 {

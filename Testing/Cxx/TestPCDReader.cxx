@@ -7,15 +7,9 @@
 #include "vtkPCDReader.h"
 #include "vtkPCDWriter.h"
 
-#include "vtkDataArray.h"
-#include "vtkFieldData.h"
-#include "vtkPointData.h"
-
 #include <sys/resource.h>
 
 #include <random>
-#include <string>
-#include <vector>
 
 namespace
 {
@@ -163,8 +157,6 @@ const FileCase Cases[] = {
     "FIELDS x y z\nPOINTS 2\nDATA ascii\r\n\r\n0\t1 2 \r\n\n 3 4 5\r\n", TwoPoints },
   { "text", TextHeader + "0 0 0\n0 zero 0\n",
     "line 13: the field 'y' of point 1: 'zero' is not a number" },
-  { "text", TextHeader + "0 0 0x1\n0 0 0\n", "line 12: *'z' of point 0: '0x1'" },
-  { "text", TextHeader + "0 0 1,5\n0 0 0\n", "line 12: *'1,5' is not a number" },
   { "text", TextHeader + "0 0 1e39\n0 0 0\n", "line 12: *'1e39' is out of range" },
   { "text", TextHeader + "0.5 0\n0 0 0\n", "line 12: point 0 has 2 values. Expected 3" },
   { "text", TextHeader + "0 0 0 0\n0 0 0\n", "line 12: point 0 has more than 3 values" },
@@ -177,7 +169,6 @@ const FileCase Cases[] = {
   { "text", WithByte + "0 0 0 256\n", "'i' of point 0: '256' is out of" },
   { "text", WithByte + "0 0 0 -1\n", "'-1' is not an integer" },
   { "text", WithByte + "0 0 0 1.5\n", "'1.5' is not an integer" },
-  { "text", WithByte + "0 0 0 nan\n", "'nan' is not an integer" },
   { "text", WithSignedByte + "0 0 0 128\n", "'128' is out of" },
   { "height alone", PCDLines{ "x y z", "4 4 4", "F F F", "1 1 1", "", "2" }.Format() + TwoLines,
     "HEIGHT is given without WIDTH" },
@@ -226,7 +217,6 @@ const struct
   const char* Error;
 } HeaderCases[] = {
   { &PCDLines::Fields, "x y a", "line 3: *no field 'z'" },
-  { &PCDLines::Fields, "a b c", "line 3: *no field 'x'" },
   { &PCDLines::Fields, "x y x", "line 3: there are two fields 'x'" },
   { &PCDLines::Fields, "", "no FIELDS" },
   { &PCDLines::Fields, " ", "line 3: the header has no FIELDS" },
@@ -234,7 +224,6 @@ const struct
   { &PCDLines::Size, "4 4", "line 4: SIZE has 2 values. Expected 3" },
   { &PCDLines::Size, "4 4 2", "line 4: SIZE '2' of the field 'z' is not one of TYPE 'F'*4 or 8" },
   { &PCDLines::Size, "4 -4 4", "line 4: SIZE '-4'*'y'" },
-  { &PCDLines::Size, "4 4 0", "line 4: SIZE '0'" },
   { &PCDLines::Size, "4 4 4.0", "line 4: SIZE '4.0'" },
   { &PCDLines::Size, "4 4 99999999999999999999", "line 4: SIZE '999" },
   { &PCDLines::Size, "", "TYPE is given without SIZE" },
@@ -244,7 +233,6 @@ const struct
   { &PCDLines::Type, "F F FF", "is not one of TYPE 'FF'" },
   { &PCDLines::Count, "1 1", "line 6: COUNT has 2 values. Expected 3" },
   { &PCDLines::Count, "1 1 0", "line 6: COUNT '0' of the field 'z' is not a positive number" },
-  { &PCDLines::Count, "1 1 -1", "line 6: COUNT '-1'" },
   { &PCDLines::Count, "1 1 2", "line 3: *'z' has 2 values per point" },
   { &PCDLines::Count, "1 1 4294967297", "line 6: COUNT" },
   { &PCDLines::Width, "3", "line 10: POINTS 2*WIDTH 3" },
@@ -252,16 +240,13 @@ const struct
   { &PCDLines::Width, "two", "line 7: WIDTH 'two' is not a number of points" },
   { &PCDLines::Width, "2 2", "line 7: WIDTH has 2 values. Expected 1" },
   { &PCDLines::Width, " ", "line 7: WIDTH*0 values" },
-  { &PCDLines::Width, "99999999999999999999", "line 7: WIDTH '999" },
   { &PCDLines::Height, "2", "line 10: POINTS 2*HEIGHT 2" },
   { &PCDLines::Height, "9223372036854775807", "line 7: *too large" },
   { &PCDLines::Points, "5", "line 10: POINTS 5" },
-  { &PCDLines::Points, "-1", "line 10: POINTS '-1'" },
   { &PCDLines::Viewpoint, "0 0 0", "line 9: VIEWPOINT has 3 values. Expected 7" },
   { &PCDLines::Viewpoint, "0 0 0 1 0 0 up", "line 9: VIEWPOINT 'up' is not a finite number" },
   { &PCDLines::Viewpoint, "0 0 nan 1 0 0 0", "line 9: VIEWPOINT 'nan'" },
   { &PCDLines::Data, "text", "line 11: the value of DATA" },
-  { &PCDLines::Data, "ascii binary", "line 11: the value of DATA" },
   { &PCDLines::Data, " ", "line 11: the value of DATA" },
   { &PCDLines::Data, "binary_compress", "line 11: the value of DATA" },
 };

@@ -7,23 +7,12 @@
 
 #include "vtkBitArray.h"
 #include "vtkCharArray.h"
-#include "vtkDataArray.h"
-#include "vtkDoubleArray.h"
 #include "vtkErrorCode.h"
-#include "vtkFieldData.h"
-#include "vtkFloatArray.h"
-#include "vtkIdTypeArray.h"
-#include "vtkIntArray.h"
 #include "vtkPCDWriter.h"
-#include "vtkPointData.h"
-#include "vtkPoints.h"
 #include "vtkSOADataArrayTemplate.h"
-#include "vtkUnsignedCharArray.h"
 
-#include <cmath>
 #include <cstring>
 #include <filesystem>
-#include <limits>
 #include <random>
 
 namespace

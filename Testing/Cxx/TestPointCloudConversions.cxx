@@ -5,20 +5,11 @@
 
 #include "vtkDGGPointCloudConversions.h"
 
-#include "vtkFieldData.h"
-#include "vtkFloatArray.h"
-#include "vtkNew.h"
-#include "vtkPointData.h"
-#include "vtkPoints.h"
-#include "vtkUnsignedCharArray.h"
 #include "vtkVertexGlyphFilter.h"
 
 #include <pcl/point_types.h>
 
-#include <algorithm>
-#include <cmath>
 #include <cstdint>
-#include <limits>
 
 namespace
 {
@@ -52,47 +43,6 @@ TEST(PointCloudConversions, FromAConstPtrInOneLine)
   filter->Update();
   ASSERT_EQ(filter->GetOutput()->GetNumberOfPoints(), 3);
   ExpectPoint(filter->GetOutput(), 0, static_cast<double>(0.1f), 2, 3);
-}
-
-TEST(PointCloudConversions, Coordinates)
-{
-  Cloud::Ptr cloud = MakeCloud();
-  vtkSmartPointer<vtkPolyData> data = vtkDGG::ToPolyData(cloud);
-  ASSERT_NE(data, nullptr);
-  EXPECT_EQ(data->GetPoints()->GetDataType(), VTK_FLOAT);
-  ASSERT_EQ(data->GetNumberOfPoints(), 3);
-  EXPECT_TRUE(std::isnan(data->GetPoint(1)[0]));
-  EXPECT_EQ(data->GetNumberOfVerts(), 2);
-  // The data is a copy: the cloud may be changed or destroyed.
-  (*cloud)[2].x = 7.0f;
-  ExpectPoint(data, 2, 4, 5, 6);
-  Cloud back;
-  back.push_back(pcl::PointXYZ(9.0f, 9.0f, 9.0f));
-  ASSERT_TRUE(vtkDGG::FromPolyData(data, back));
-  ASSERT_EQ(back.size(), 3u);
-  EXPECT_EQ(back[2].data[3], 1.0f); // padding coordinate of PCL
-}
-
-TEST(PointCloudConversions, ColorsWithAndWithoutAlpha)
-{
-  ColoredCloud cloud;
-  pcl::PointXYZRGB point;
-  point.r = 200;
-  point.b = 50;
-  cloud.push_back(point);
-  vtkSmartPointer<vtkPolyData> data = vtkDGG::ToPolyData(cloud);
-  auto* colors = vtkUnsignedCharArray::SafeDownCast(data->GetPointData()->GetScalars());
-  ASSERT_NE(colors, nullptr);
-  EXPECT_STREQ(colors->GetName(), "RGB");
-  pcl::PointCloud<pcl::PointXYZRGBA> opaque;
-  std::vector<std::string> missing;
-  ASSERT_TRUE(vtkDGG::FromPolyData(data, opaque, &missing));
-  EXPECT_TRUE(missing.empty());
-  EXPECT_EQ(opaque[0].r, 200);
-  EXPECT_EQ(opaque[0].a, 255);
-  ASSERT_TRUE(vtkDGG::FromPolyData(vtkDGG::ToPolyData(opaque), cloud));
-  EXPECT_EQ(cloud[0].r, 200);
-  EXPECT_EQ(cloud[0].b, 50);
 }
 
 TEST(PointCloudConversions, SaysWhatIsMissing)
@@ -136,19 +86,6 @@ TEST(PointCloudConversions, ConvertsNumbers)
   EXPECT_EQ(cloud[1].label, 0u);
   EXPECT_EQ(cloud[2].label, 4294967295u);
   EXPECT_EQ(cloud[3].label, 0u);
-}
-
-TEST(PointCloudConversions, OrganizedClouds)
-{
-  Cloud cloud(2, 3, pcl::PointXYZ(1.0f, 2.0f, 3.0f));
-  cloud(1, 2).x = 8.0f;
-  ExpectPoint(vtkDGG::ToPolyData(cloud), 5, 8, 2, 3);
-  // In PCL width and height may disagree with the points after an insertion; the number of points
-  // is used.
-  cloud.points.resize(5);
-  const vtkSmartPointer<vtkPolyData> data = vtkDGG::ToPolyData(cloud);
-  ASSERT_NE(data, nullptr);
-  EXPECT_EQ(data->GetNumberOfPoints(), 5);
 }
 
 TEST(PointCloudConversions, BlobsOfAnyFields)

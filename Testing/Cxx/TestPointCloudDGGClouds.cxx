@@ -7,16 +7,7 @@
 #include "vtkDGGDistance.h"
 #include "vtkDGGPath.h"
 
-#include "vtkCellData.h"
-#include "vtkDataArray.h"
-#include "vtkFieldData.h"
-
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <limits>
 #include <random>
-#include <vector>
 
 namespace dggtest
 {
@@ -33,12 +24,6 @@ Points Scale(Points points, double scale)
   return points;
 }
 
-double GetLength(vtkDGGPath* path)
-{
-  vtkDataArray* lengths = path->GetOutput()->GetCellData()->GetArray("Length");
-  EXPECT_EQ(lengths->GetNumberOfTuples(), 1);
-  return lengths->GetTuple1(0);
-}
 }
 
 TEST_F(PointCloudDGG, PointsThatAreNotFinite)
@@ -93,33 +78,15 @@ TEST_F(PointCloudDGG, NoPointIsFinite)
 
 TEST_F(PointCloudDGG, Outliers)
 {
-  const Points clean = MakeSpherePoints(600);
-  vtkNew<vtkDGGPath> path;
-  path->SetInputConnection(this->Filter->GetOutputPort());
-  path->AddPair(0, 400);
   for (const bool byPlanes : { false, true })
   {
     this->Filter->SetEstimateNormals(byPlanes);
-    this->Use(clean);
-    ExpectSuccess(path);
-    const double length = GetLength(path);
-    this->Use(Join(clean, { { { 1e6, 0.5e6, -1e6 } } }));
+    this->Use(Join(MakeSpherePoints(600), { { { 1e6, 0.5e6, -1e6 } } }));
     ExpectWarning(this->Filter, { "1 point more than 1000 times as far away" });
     EXPECT_EQ(this->Filter->GetNumberOfOutliers(), 1);
     EXPECT_EQ(this->Filter->GetNumberOfComponents(), 2);
     EXPECT_EQ(GetComponents(this->GetOutput())[600], 1);
-    ExpectSuccess(path);
-    EXPECT_EQ(GetLength(path), length);
   }
-}
-
-TEST_F(PointCloudDGG, WarnsOfPointsOnNoSurface)
-{
-  this->Use(MakeVolumePoints(1500));
-  ExpectWarning(this->Filter,
-    { "% of the points do not lie on a surface", "times their spacing", "Thin the cloud" });
-  EXPECT_GT(this->Filter->GetOffSurfaceShare(), 0.5);
-  EXPECT_GT(this->Filter->GetScatter(), 1.0);
 }
 
 TEST_F(PointCloudDGG, WarnsOfNoiseThatIsLargeBesideTheShape)

@@ -3,17 +3,6 @@
 // vtkPointCloudDGG: given normals, and normals from planes.
 #include "PointCloudDGGFixture.h"
 
-#include "vtkDataArray.h"
-#include "vtkDoubleArray.h"
-#include "vtkFloatArray.h"
-#include "vtkPointData.h"
-
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <string>
-#include <vector>
-
 namespace dggtest
 {
 TEST_F(PointCloudDGG, NormalsByPlanes)

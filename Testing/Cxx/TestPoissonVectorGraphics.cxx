@@ -4,15 +4,6 @@
 /// vtkPoissonVectorGraphics: known colors, and arrays of the output.
 #include "VectorGraphicsTestTools.h"
 
-#include "vtkIntArray.h"
-#include "vtkUnsignedCharArray.h"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <numeric>
-
 using namespace dggtest;
 
 TEST(PoissonVectorGraphics, ColorsBetweenTwoCurvesAreLinear)

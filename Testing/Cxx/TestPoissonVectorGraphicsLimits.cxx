@@ -5,14 +5,6 @@
 /// progress.
 #include "VectorGraphicsTestTools.h"
 
-#include "vtkIntArray.h"
-#include "vtkMath.h"
-
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <limits>
-
 using namespace dggtest;
 
 namespace
@@ -215,4 +207,28 @@ TEST(PoissonVectorGraphics, MemoryIsPredictedBeforeCurvesAreDrawn)
   ExpectError(drawing.Filter, { "refinement", "MemoryLimit", "RefinementLevel" });
   drawing.Filter->SetRefinementLevel(2);
   drawing.Run();
+}
+
+TEST(PoissonVectorGraphics, ScaleDoesNotMatter)
+{
+  std::vector<double> expected;
+  for (const double scale : { 1.0, 1e-12, 1e12 })
+  {
+    GraphicsFixture drawing = MakeTwoColored();
+    for (vtkPolyData* data : { drawing.Surface.Get(), drawing.Curves.Get() })
+    {
+      MovePoints(data, [&](double* p) {
+        p[0] *= scale;
+        p[1] *= scale;
+        p[2] *= scale;
+      });
+    }
+    const std::vector<double> colors = GetValues(drawing.Run(), "Colors");
+    expected = expected.empty() ? colors : expected;
+    ASSERT_EQ(colors.size(), expected.size());
+    for (std::size_t i = 0; i < colors.size(); ++i)
+    {
+      EXPECT_NEAR(colors[i], expected[i], 1e-9) << scale;
+    }
+  }
 }

@@ -10,18 +10,7 @@
 #include "vtkExactGeodesicDistance.h"
 #include "vtkGeodesicDistanceMatrix.h"
 
-#include "vtkCellData.h"
-#include "vtkDoubleArray.h"
-#include "vtkFieldData.h"
-#include "vtkIdTypeArray.h"
-#include "vtkPoints.h"
-#include "vtkStringArray.h"
 #include "vtkTable.h"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <string>
 
 using namespace dggtest;
 

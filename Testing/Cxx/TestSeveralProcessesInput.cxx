@@ -12,14 +12,9 @@
 #include "vtkMultiBlockDataSet.h"
 #include "vtkSphereSource.h"
 #include "vtkXMLPPolyDataReader.h"
-#include "vtkXMLPPolyDataWriter.h"
 #include "vtkXMLPolyDataWriter.h"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
 #include <fstream>
-#include <string>
 
 using namespace dggtest;
 
@@ -67,12 +62,10 @@ TEST_F(SeveralProcesses, PiecesOfQuadsAndStrips)
   for (const GridCells cells : { GridCells::Quads, GridCells::Strips })
   {
     const auto part = MakeGrid(10, 3, cells);
-    for (vtkIdType i = 0; i < part->GetNumberOfPoints(); ++i)
-    {
-      double p[3];
-      part->GetPoint(i, p);
-      part->GetPoints()->SetPoint(i, p[0], p[1] + 3.0 * this->Here, 0.0);
-    }
+    MovePoints(part, [&](double* p) {
+      p[1] = p[1] + 3.0 * this->Here;
+      p[2] = 0.0;
+    });
     part->SetVerts(MakeCells({ { 1 }, { 5 } }));
     part->SetLines(MakeCells({ { 0, 7, 3 } }));
     const auto prepare = [](auto* filter) {
@@ -106,32 +99,6 @@ TEST_F(SeveralProcesses, PiecesOfASource)
     EXPECT_EQ(GetReported(filter, "Genus"), 0);
     EXPECT_EQ(GetReported(filter, "NumberOfComponents"), 1);
   }
-}
-
-//------------------------------------------------------------------------------
-TEST_F(SeveralProcesses, ParallelFiles)
-{
-  const std::string name =
-    std::string(DGG_TEST_OUTPUT) + "/SeveralProcesses" + std::to_string(this->Count) + ".pvtp";
-  vtkNew<vtkXMLPPolyDataWriter> writer;
-  writer->SetInputData(this->TakeRandom(this->Surface, 11));
-  writer->SetController(this->Controller);
-  writer->SetFileName(name.c_str());
-  writer->SetNumberOfPieces(this->Count);
-  writer->SetStartPiece(this->Here);
-  writer->SetEndPiece(this->Here);
-  writer->SetWriteSummaryFile(1);
-  writer->Update();
-  this->Controller->Barrier();
-  vtkNew<vtkXMLPPolyDataReader> reader;
-  reader->SetFileName(name.c_str());
-  vtkNew<vtkDGGDistance> filter;
-  filter->SetInputConnection(reader->GetOutputPort());
-  filter->SetSourceData(MakeSources());
-  this->Update(filter);
-  const auto alone = Alone<vtkDGGDistance>(
-    this->Surface, [](vtkDGGDistance* other) { other->SetSourceData(MakeSources()); });
-  ExpectArray(filter->GetOutput(), alone->GetOutput(), "GeodesicDistance", FloatTolerance);
 }
 
 //------------------------------------------------------------------------------
@@ -269,12 +236,7 @@ TEST_F(SeveralProcesses, BlocksInParts)
   for (unsigned int block = 0; block < 3; ++block)
   {
     const auto surface = MakeTerrain(15 + 4 * static_cast<int>(block));
-    for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
-    {
-      double p[3];
-      surface->GetPoint(i, p);
-      surface->GetPoints()->SetPoint(i, p[0] + block, p[1], p[2]);
-    }
+    MovePoints(surface, [&](double* p) { p[0] = p[0] + block; });
     whole->SetBlock(block, surface);
     // Only the first process has a piece of the second block.
     part->SetBlock(block,

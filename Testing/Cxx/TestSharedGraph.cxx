@@ -10,10 +10,6 @@
 #include "vtkDGGPath.h"
 #include "vtkExactGeodesicDistance.h"
 
-#include "vtkPoints.h"
-
-#include <gtest/gtest.h>
-
 using namespace dggtest;
 
 namespace

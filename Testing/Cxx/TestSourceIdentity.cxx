@@ -3,6 +3,7 @@
 /// @file
 /// Points of input ports that are identified by point arrays, in every filter with such a port.
 #include "FilterCases.h"
+#include "SpectralTestTools.h"
 
 #include "vtkExactGeodesicDistance.h"
 #include "vtkGeodesicDistanceMatrix.h"
@@ -10,17 +11,6 @@
 #include "vtkGeodesicVoronoi.h"
 
 #include "vtkAppendPolyData.h"
-#include "vtkCell.h"
-#include "vtkDoubleArray.h"
-#include "vtkIdTypeArray.h"
-#include "vtkPointData.h"
-
-#include <gtest/gtest.h>
-
-#include <array>
-#include <cmath>
-#include <string>
-#include <vector>
 
 using namespace dggtest;
 
@@ -43,22 +33,6 @@ enum Naming
   ByFace,    ///< FaceId, with an arbitrary position
   ByAllArrays
 };
-
-std::array<double, 3> GetPosition(vtkPolyData* surface, const Place& place)
-{
-  std::array<double, 3> position{};
-  vtkCell* cell = surface->GetCell(place.Cell);
-  for (int k = 0; k < 3; ++k)
-  {
-    double corner[3];
-    surface->GetPoint(cell->GetPointId(k), corner);
-    for (int i = 0; i < 3; ++i)
-    {
-      position[i] += place.Coordinates[k] * corner[i];
-    }
-  }
-  return position;
-}
 
 vtkIdType GetPointId(vtkPolyData* surface, const Place& place)
 {
@@ -85,7 +59,7 @@ vtkSmartPointer<vtkPolyData> MakePoints(
   coordinates->SetNumberOfComponents(3);
   for (const Place& place : places)
   {
-    positions.push_back(GetPosition(surface, place));
+    positions.push_back(PointInCell(surface, place.Cell, place.Coordinates));
     for (double& x : positions.back())
     {
       x += naming == ByFace ? 10.0 : 0.0; // positions are ignored

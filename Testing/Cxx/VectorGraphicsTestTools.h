@@ -9,31 +9,8 @@
 
 #include "vtkPoissonVectorGraphics.h"
 
-#include "vtkCellArray.h"
-#include "vtkCellData.h"
-#include "vtkDoubleArray.h"
-#include "vtkFieldData.h"
-#include "vtkPointData.h"
-
-#include <string>
-#include <vector>
-
 namespace dggtest
 {
-template <typename ArrayType = vtkDoubleArray>
-void AddArray(
-  vtkFieldData* data, const std::string& name, const std::vector<double>& values, int components)
-{
-  vtkNew<ArrayType> array;
-  array->SetName(name.c_str());
-  array->SetNumberOfComponents(components);
-  for (const double value : values)
-  {
-    array->InsertNextValue(static_cast<typename ArrayType::ValueType>(value));
-  }
-  data->AddArray(array);
-}
-
 /// A rectangle [0, 6] x [0, 4] and polylines on it.
 struct GraphicsFixture
 {
