@@ -5,9 +5,9 @@
 #include "DGGContext.h"
 #include "DGGSurfaceArrays.h"
 
-#include "dggStatus.h"
 #include "dggPreparedSurface.h"
 #include "dggSourceCollection.h"
+#include "dggStatus.h"
 
 #include "vtkAbstractArray.h"
 #include "vtkCellData.h"

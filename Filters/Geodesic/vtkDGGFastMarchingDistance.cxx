@@ -5,10 +5,10 @@
 #include "DGGCloudMarching.h"
 #include "DGGDistanceInternals.h"
 
-#include "dggMeshQuality.h"
 #include "dggFastMarching.h"
-#include "dggStatus.h"
+#include "dggMeshQuality.h"
 #include "dggProgressPart.h"
+#include "dggStatus.h"
 
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"

@@ -4,10 +4,10 @@
 
 #include "DGGDistanceInternals.h"
 
-#include "dggMeshQuality.h"
 #include "dggHeatMethod.h"
-#include "dggStatus.h"
+#include "dggMeshQuality.h"
 #include "dggProgressPart.h"
+#include "dggStatus.h"
 
 #include "vtkObjectFactory.h"
 

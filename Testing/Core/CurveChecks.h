@@ -7,8 +7,8 @@
 
 #include "TestMeshes.h"
 
-#include "dggSurfaceCut.h"
 #include "dggCurveEmbedding.h"
+#include "dggSurfaceCut.h"
 
 namespace dggtest
 {

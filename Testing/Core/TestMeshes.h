@@ -5,8 +5,8 @@
 #ifndef TestMeshes_h
 #define TestMeshes_h
 
-#include "dggSurfaceMesh.h"
 #include "dggStatus.h"
+#include "dggSurfaceMesh.h"
 
 #include <gtest/gtest.h>
 

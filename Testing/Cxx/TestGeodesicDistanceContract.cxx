@@ -119,7 +119,7 @@ private:
         case Fault::Other:
           throw 5;
         case Fault::Status:
-          return dgg::Status::Invalid("the status says no");
+          return dgg::InvalidInput("the status says no");
         case Fault::None:
           break;
       }

@@ -91,8 +91,7 @@ TEST(LongSteps, TheFirstErrorCounts)
     const dgg::ProgressCallback goOn = [](double) { return true; };
     const dgg::Status status = dgg::ForEach(
       50, 1, DGGMakeParallelFor(goOn), goOn, [](std::size_t step, const dgg::ProgressCallback&) {
-        return step < 7 ? dgg::Status::Success()
-                        : dgg::Status::Invalid("step " + std::to_string(step));
+        return step < 7 ? dgg::Status::Success() : dgg::InvalidInput("step ", step);
       });
     EXPECT_EQ(status.GetProblem(), "step 7");
     EXPECT_THROW(dgg::ForEach(50, 1, DGGMakeParallelFor(goOn), goOn,

@@ -356,7 +356,7 @@ class Command(support.Test):
         for name, mesh, asked, pattern in (
             ("seam", [points, points + [3, 0, 0]], "distance --source 0", "Turn on --merge if"),
             ("parts", [points, points + [9, 0, 0]], "sample --number 1", "larger --number"),
-            ("one", [points], "sample --number 99", "subdivide the surface."),
+            ("one", [points], "sample --number 99", "subdivide the surface"),
             ("one", [points], "greens --source 5", "Refine the mesh there"),
             ("long", [points * [1, 20, 1]], "isolines --source 5", "exact distances with wind"),
             ("long", [points * [1, 20, 1]], "distance --source 5 --method fast", "distances or a graph"),

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggBandSizes.h"
 
-#include "dggStatus.h"
 #include "dggQuantile.h"
+#include "dggStatus.h"
 
 #include <algorithm>
 #include <cmath>

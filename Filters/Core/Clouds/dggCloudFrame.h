@@ -5,8 +5,8 @@
 #ifndef dggCloudFrame_h
 #define dggCloudFrame_h
 
-#include "dggStatus.h"
 #include "dggPoint3.h" // for Point3
+#include "dggStatus.h"
 #include "dggStatus.h" // for Status
 
 #include <algorithm> // for std::min

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggVoxelBand.h"
 
-#include "dggStatus.h"
 #include "dggMemoryLimit.h"
 #include "dggProgressPart.h"
 #include "dggSegmentWalk.h"
+#include "dggStatus.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,8 +3,8 @@
 #include "dggBandMarching.h"
 
 #include "dggHeap.h"
-#include "dggStatus.h"
 #include "dggProgressPart.h"
+#include "dggStatus.h"
 
 #include <algorithm>
 #include <cmath>
@@ -112,7 +112,7 @@ public:
       }
       this->IsFinal[place] = 1;
       if (done++ % VoxelsPerReport == 0 &&
-        !Goes(progress, static_cast<double>(done) / numberOfVoxels))
+        !ShouldContinue(progress, static_cast<double>(done) / numberOfVoxels))
       {
         return false;
       }

@@ -6,8 +6,8 @@
 #ifndef dggGeodesicGraph_h
 #define dggGeodesicGraph_h
 
-#include "dggCoreExport.h" // for DGG_CORE_EXPORT
 #include "dggBuffer.h"     // for the arrays
+#include "dggCoreExport.h" // for DGG_CORE_EXPORT
 #include "dggParallel.h"   // for ParallelFor
 #include "dggStatus.h"     // for Status
 

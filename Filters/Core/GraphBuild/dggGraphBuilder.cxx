@@ -8,9 +8,9 @@
 #include "dggGraphPruning.h"
 #include "dggGraphRules.h"
 #include "dggGraphWindowTracer.h"
-#include "dggStatus.h"
 #include "dggProgressPart.h"
 #include "dggRowStore.h"
+#include "dggStatus.h"
 #include "dggSurfaceOrder.h"
 #include "dggUnfoldingTable.h"
 #include "dggWorkspacePool.h"
@@ -347,8 +347,8 @@ WindowLimits GraphBuilder::Implementation::LimitWindows(const GraphOptions& opti
       ShareOfVertex };
   if (!this->CanMultiply())
   {
-    limits.CarelessWindows = std::max(
-      limits.CarelessWindows, static_cast<std::size_t>(FastWindowsPerFace * windows * faces));
+    limits.FastWindowLimit = std::max(
+      limits.FastWindowLimit, static_cast<std::size_t>(FastWindowsPerFace * windows * faces));
   }
   return limits;
 }

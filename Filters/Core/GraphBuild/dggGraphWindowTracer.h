@@ -32,7 +32,7 @@ struct WindowLimits
   std::size_t Windows;
   /// Maximum number of windows in the fast mode, which does not check whether earlier windows of
   /// the source have been at the same location. Sources on an ordinary mesh need fewer windows.
-  std::size_t CarelessWindows;
+  std::size_t FastWindowLimit;
   /// Maximum work of a source; see GraphWindowTracer::GetWork().
   std::size_t Work;
 };
@@ -52,14 +52,14 @@ public:
   GraphWindowTracer(const UnfoldingTable& table, const Rule& rule, const WindowLimits& limits)
     : Table(table)
     , Mesh(table.GetMesh())
-    , TheRule(rule)
+    , GraphRule(rule)
     , Limits(limits)
     , Vertices(table.GetNumberOfVertices())
     , Memory(Vertices)
   {
   }
 
-  void SetRule(const Rule& rule) { this->TheRule = rule; }
+  void SetRule(const Rule& rule) { this->GraphRule = rule; }
 
   /// Traces the edges of a vertex (id of the table) and returns them.
   const std::vector<FoundEdge>& TraceVertex(Id source)
@@ -149,7 +149,7 @@ private:
     this->WindowsBefore = this->NumberOfWindows;
     this->PropagatesLabels = false;
     this->WindowLimit = isCareful ? std::numeric_limits<std::size_t>::max()
-                                  : this->NumberOfWindows + this->Limits.CarelessWindows;
+                                  : this->NumberOfWindows + this->Limits.FastWindowLimit;
     if (isCareful)
     {
       this->Memory.Prepare(this->Mesh.GetNumberOfHalfEdges());
@@ -168,7 +168,7 @@ private:
     }
     this->PropagatesLabels = true;
     this->HasOverlap = true;
-    this->WindowLimit += PropagationFactor * this->Limits.CarelessWindows;
+    this->WindowLimit += PropagationFactor * this->Limits.FastWindowLimit;
     return true;
   }
 
@@ -221,7 +221,7 @@ private:
       window.Axis = { -1.0, 0.0 };
       window.Relays[1] = corner;
       window.Relays[0] =
-        this->AddRelay(this->TheRule.MakeRelay(end, length, this->TheRule.CostOfEdge(length)));
+        this->AddRelay(this->GraphRule.MakeRelay(end, length, this->GraphRule.CostOfEdge(length)));
       this->Enter(this->Table.CodeBehind(h), window);
     }
     this->Targets->ReachFrom(f, barycentric);
@@ -234,14 +234,14 @@ private:
     edge.Target = this->Table.NewVertex(this->Mesh.Origin(edge.Arrival));
     if (edge.Target == this->Source) // on a surface glued of very few faces
     {
-      return this->AddRelay(this->TheRule.MakeRelay(
-        edge.Departure, edge.Length, this->TheRule.CostOfEdge(edge.Length)));
+      return this->AddRelay(this->GraphRule.MakeRelay(
+        edge.Departure, edge.Length, this->GraphRule.CostOfEdge(edge.Length)));
     }
     VertexStates::State& state = this->Vertices.Touch(edge.Target);
     this->SetLabel(edge.Target, state, edge.Length);
-    state.Cost = std::min(state.Cost, this->TheRule.CostOfEdge(edge.Length));
+    state.Cost = std::min(state.Cost, this->GraphRule.CostOfEdge(edge.Length));
     this->Record(state, edge);
-    return this->AddRelay(this->TheRule.MakeRelay(edge.Departure, edge.Length, state.Cost));
+    return this->AddRelay(this->GraphRule.MakeRelay(edge.Departure, edge.Length, state.Cost));
   }
 
   Id AddRelay(const Relay& relay)
@@ -381,7 +381,7 @@ private:
     while (!this->Order.IsEmpty())
     {
       const DistanceHeap::Entry key = this->Order.Pop();
-      while (count < this->TheRule.Count && !this->Reached.IsEmpty() &&
+      while (count < this->GraphRule.Count && !this->Reached.IsEmpty() &&
         this->Reached.Top().Key <= key.Key)
       {
         const DistanceHeap::Entry reached = this->Reached.Pop();
@@ -391,7 +391,7 @@ private:
           ++count;
         }
       }
-      if (count >= this->TheRule.Count)
+      if (count >= this->GraphRule.Count)
       {
         break;
       }
@@ -449,8 +449,8 @@ private:
       {
         this->Turn(window, face, FaceCrossing::Right, apex);
       }
-      if (code == NoId || (!isStarted && !StartWindow(this->TheRule, this->Relays, window)) ||
-        this->TheRule.Ends(left, right, window) || this->IsUseless(window))
+      if (code == NoId || (!isStarted && !StartWindow(this->GraphRule, this->Relays, window)) ||
+        this->GraphRule.Ends(left, right, window) || this->IsUseless(window))
       {
         return;
       }
@@ -538,8 +538,8 @@ private:
     const bool isOuter = window.Outer[side] != NoId && IsVisible(this->Relays, window, side, apex);
     const Id id = isOuter ? window.Outer[side] : window.Relays[side];
     const Relay& relay = this->Relays[id];
-    const double cost = this->TheRule.CostBehind(relay, Distance(relay.Position, apex));
-    return { id, cost, this->TheRule.Covers(cost, distance) };
+    const double cost = this->GraphRule.CostBehind(relay, Distance(relay.Position, apex));
+    return { id, cost, this->GraphRule.Covers(cost, distance) };
   }
 
   /// Splits a window at a vertex. The vertex may become an edge, and is a relay of the two new
@@ -563,7 +563,7 @@ private:
     {
       return;
     }
-    const Id relay = this->AddRelay(this->TheRule.MakeRelay(apex, distance, cost));
+    const Id relay = this->AddRelay(this->GraphRule.MakeRelay(apex, distance, cost));
     if (goesLeft)
     {
       GraphWindow child = window;
@@ -594,7 +594,7 @@ private:
     {
       const Relay& left = this->Relays[window.Relays[0]];
       const Relay& right = this->Relays[window.Relays[1]];
-      if (!this->TheRule.Start(left, right, window) || this->TheRule.Ends(left, right, window))
+      if (!this->GraphRule.Start(left, right, window) || this->GraphRule.Ends(left, right, window))
       {
         return;
       }
@@ -614,13 +614,13 @@ private:
     double cost = std::min(state.Cost, costByRelays);
     if (distance <= state.Label * (1.0 + LengthTolerance))
     {
-      if (state.Edge != NoId || !this->TheRule.Covers(cost, distance))
+      if (state.Edge != NoId || !this->GraphRule.Covers(cost, distance))
       {
         const Point2& origin = window.Ends[face.IsMirrored() ? 1 : 0];
         this->Record(state,
           { face.ApexVertex, distance, apex, window.Frame, { origin.X - apex.X, origin.Y - apex.Y },
             SurfaceMesh::Previous(face.GetHalfEdge()), face.IsMirrored() });
-        cost = std::min(cost, this->TheRule.CostOfEdge(distance));
+        cost = std::min(cost, this->GraphRule.CostOfEdge(distance));
       }
       this->SetLabel(face.ApexVertex, state, distance);
     }
@@ -674,7 +674,7 @@ private:
 
   const UnfoldingTable& Table;
   const SurfaceMesh& Mesh;
-  Rule TheRule;
+  Rule GraphRule;
   WindowLimits Limits;
   VertexStates Vertices;
   bool IsCareful = false;

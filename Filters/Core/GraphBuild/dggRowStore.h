@@ -5,8 +5,8 @@
 #ifndef dggRowStore_h
 #define dggRowStore_h
 
-#include "dggCoreExport.h" // for DGG_CORE_EXPORT
 #include "dggBuffer.h"     // for the arrays
+#include "dggCoreExport.h" // for DGG_CORE_EXPORT
 #include "dggTypes.h"      // for Id, Offset
 
 #include <vector> // for where rows begin

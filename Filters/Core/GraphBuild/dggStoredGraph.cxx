@@ -3,8 +3,8 @@
 #include "dggStoredGraph.h"
 
 #include "dggBitHash.h"
-#include "dggStatus.h"
 #include "dggPreparedSurface.h"
+#include "dggStatus.h"
 
 #include <algorithm>
 #include <cstring>

@@ -13,7 +13,7 @@ void BucketQueue::Reset(double origin, double width)
   {
     bucket.clear();
   }
-  this->Aside.clear();
+  this->Overflow.clear();
   this->Origin = origin;
   this->PerWidth = 1.0 / width;
   this->First = 0.0;
@@ -31,7 +31,7 @@ bool BucketQueue::Advance(BucketQueue* queues, std::size_t count)
       double nearest = std::numeric_limits<double>::infinity();
       for (const BucketQueue* queue = queues; queue != end; ++queue)
       {
-        for (const Entry& entry : queue->Aside)
+        for (const Entry& entry : queue->Overflow)
         {
           nearest = std::min<double>(nearest, entry.Key);
         }
@@ -46,18 +46,18 @@ bool BucketQueue::Advance(BucketQueue* queues, std::size_t count)
     for (BucketQueue* queue = queues; queue != end; ++queue)
     {
       ++queue->Cursor;
-      if ((queue->Cursor & Mask) == 0 && !queue->Aside.empty())
+      if ((queue->Cursor & Mask) == 0 && !queue->Overflow.empty())
       {
-        queue->PlaceAside();
+        queue->PlaceOverflow();
       }
     }
   }
   return true;
 }
 
-void BucketQueue::PlaceAside()
+void BucketQueue::PlaceOverflow()
 {
-  this->Scratch.swap(this->Aside);
+  this->Scratch.swap(this->Overflow);
   for (const Entry& entry : this->Scratch)
   {
     this->Place(entry);
@@ -70,6 +70,6 @@ void BucketQueue::JumpTo(double key)
   // The nearest entry is put into bucket 0, which ensures progress despite rounding.
   this->First = std::floor(key);
   this->Cursor = 0;
-  this->PlaceAside();
+  this->PlaceOverflow();
 }
 }

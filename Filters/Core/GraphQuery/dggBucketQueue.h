@@ -111,7 +111,7 @@ private:
     const double ahead = entry.Key - this->First;
     if (!(ahead < static_cast<double>(this->Cursor + NumberOfBuckets)))
     {
-      this->Aside.push_back(entry);
+      this->Overflow.push_back(entry);
       return;
     }
     const auto bucket = ahead > 0.0 ? static_cast<std::size_t>(ahead) : 0;
@@ -120,12 +120,12 @@ private:
   }
 
   /// Moves overflow entries that now lie within the ring to their buckets.
-  void PlaceAside();
+  void PlaceOverflow();
   /// Continues an empty ring at the given key, the smallest one in the overflow list.
   void JumpTo(double key);
 
   std::vector<Entry> Ring[NumberOfBuckets];
-  std::vector<Entry> Aside;
+  std::vector<Entry> Overflow;
   std::vector<Entry> Scratch;
   double Origin = 0.0;
   double PerWidth = 1.0;

@@ -73,7 +73,7 @@ Status FindDistanceRows(const GraphSearch& search,
   std::atomic<std::size_t> count{ 0 };
   const auto bytes = [&] { return static_cast<double>(count) * BytesPerEntry; };
   const auto shouldContinue = [&](double done) {
-    return bytes() <= options.MemoryLimit && Goes(progress, done);
+    return bytes() <= options.MemoryLimit && ShouldContinue(progress, done);
   };
   const Status status = search.Many(sources, many, parallel, shouldContinue,
     [&](std::size_t source, const double* distances, const std::vector<Id>& reached) {

@@ -6,7 +6,6 @@
 #include "dggBucketSearch.h"
 #include "dggGraphFans.h"
 #include "dggHeap.h"
-#include "dggStatus.h"
 #include "dggLabelCorrection.h"
 #include "dggLandmarks.h"
 #include "dggManySources.h"
@@ -14,6 +13,7 @@
 #include "dggProgressPart.h"
 #include "dggSearchLabels.h"
 #include "dggSourceGroups.h"
+#include "dggStatus.h"
 #include "dggTurnLimits.h"
 #include "dggWorkspacePool.h"
 
@@ -519,7 +519,7 @@ Status GraphSearch::Many(const std::vector<std::vector<GraphSeed>>& sources,
     ForRange(parallel, size, grain, [&](Offset begin, Offset end) {
       const double done = static_cast<double>(first) / static_cast<double>(numberOfGroups);
       const auto shouldContinue = [&] {
-        isStopped = isStopped || !Goes(progress, done);
+        isStopped = isStopped || !ShouldContinue(progress, done);
         return !isStopped;
       };
       for (Offset i = begin; i < end && shouldContinue(); ++i)

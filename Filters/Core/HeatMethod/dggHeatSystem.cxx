@@ -298,7 +298,7 @@ bool HeatSystem::FindFlow(const std::vector<Load>& loads, std::vector<double>& f
 std::vector<double> HeatSystem::Solve(
   const std::vector<Load>& loads, const ProgressCallback& progress) const
 {
-  if (!Goes(progress, 0.0))
+  if (!ShouldContinue(progress, 0.0))
   {
     return {};
   }
@@ -307,13 +307,13 @@ std::vector<double> HeatSystem::Solve(
     loads.begin(), loads.end(), [](const Load& load) { return load.Logarithm < LeastLogarithm; });
   if (isWide || !this->FindFlow<double>(loads, values))
   {
-    if (!Goes(progress, 0.2))
+    if (!ShouldContinue(progress, 0.2))
     {
       return {};
     }
     this->FindFlow<ScaledNumber>(loads, values);
   }
-  if (!Goes(progress, 0.6))
+  if (!ShouldContinue(progress, 0.6))
   {
     return {};
   }

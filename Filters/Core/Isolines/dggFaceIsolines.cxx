@@ -298,7 +298,7 @@ LevelPoint FaceIsolines::LookAtRim(const LevelArc& arc, Id crossing) const
       {
         const Point2& from = corners[k];
         const Point2& to = corners[(k + 1) % 3];
-        return arc.Look({ from.X + c.T * (to.X - from.X), from.Y + c.T * (to.Y - from.Y) });
+        return arc.Evaluate({ from.X + c.T * (to.X - from.X), from.Y + c.T * (to.Y - from.Y) });
       }
     }
   }

@@ -60,7 +60,7 @@ LevelArc::LevelArc(const FaceProfile& profile, double level, double tolerance)
   this->Close = Rounding * (std::abs(level) + this->Size);
 }
 
-LevelPoint LevelArc::Look(const Point2& place) const
+LevelPoint LevelArc::Evaluate(const Point2& place) const
 {
   LevelPoint point{ place, this->Profile.SampleAt(place), false };
   point.IsOnLevel = std::abs(point.Sample.Distance - this->Level) <= this->Close;
@@ -90,7 +90,7 @@ LevelPoint LevelArc::FindBetween(const LevelPoint& below, const LevelPoint& abov
     return closest;
   }
   const auto look = [&](double t) {
-    const LevelPoint point = this->Look(Between(below.Place, above.Place, t));
+    const LevelPoint point = this->Evaluate(Between(below.Place, above.Place, t));
     return Probe{ t, point.Sample.Distance - this->Level, point };
   };
   return FindRoot(begin, end, 1e-3 * this->Close, MostRootSteps, look).Point;
@@ -199,12 +199,12 @@ bool LevelArc::AddArc(
     return Point2{ image.X + radius * std::cos(angle), image.Y + radius * std::sin(angle) };
   };
   // Between two points another source may be nearer.
-  bool isThere = this->Look(place(0.5 / count)).IsOnLevel;
+  bool isThere = this->Evaluate(place(0.5 / count)).IsOnLevel;
   for (double i = 1.0; i < count && isThere; i += 1.0)
   {
     const Point2 p = place(i / count);
-    isThere = this->IsInside(p) && this->Look(p).IsOnLevel &&
-      this->Look(place((i + 0.5) / count)).IsOnLevel;
+    isThere = this->IsInside(p) && this->Evaluate(p).IsOnLevel &&
+      this->Evaluate(place((i + 0.5) / count)).IsOnLevel;
     points.push_back(p);
   }
   if (!isThere)
@@ -231,7 +231,7 @@ bool LevelArc::FindCorner(
     {
       return false;
     }
-    found = this->Look(place);
+    found = this->Evaluate(place);
     if (!found.IsOnLevel)
     {
       if (found.Sample.Distance > this->Level)
@@ -335,7 +335,7 @@ bool LevelArc::MeetCandidates(const LevelPoint& from, const LevelPoint& to, Poin
 LevelPoint LevelArc::Project(const LevelPoint& from, const LevelPoint& to) const
 {
   const double reach = NewtonReach * Distance(from.Place, to.Place);
-  const LevelPoint start = this->Look(Between(from.Place, to.Place, 0.5));
+  const LevelPoint start = this->Evaluate(Between(from.Place, to.Place, 0.5));
   LevelPoint point = start;
   LevelPoint best = start;
   for (int step = 0; step < MostNewtonSteps; ++step)
@@ -357,7 +357,7 @@ LevelPoint LevelArc::Project(const LevelPoint& from, const LevelPoint& to) const
     {
       break;
     }
-    point = this->Look(place);
+    point = this->Evaluate(place);
     best = point.IsOnLevel ? point : best;
   }
   if (best.IsOnLevel)
@@ -377,7 +377,7 @@ LevelPoint LevelArc::Project(const LevelPoint& from, const LevelPoint& to) const
     {
       break;
     }
-    const LevelPoint other = this->Look(place);
+    const LevelPoint other = this->Evaluate(place);
     if ((other.Sample.Distance < this->Level) != isBelow)
     {
       return this->FindBetween(isBelow ? start : other, isBelow ? other : start);

@@ -33,7 +33,7 @@ public:
   LevelArc(const FaceProfile& profile, double level, double tolerance);
 
   /// Returns the field at a point.
-  LevelPoint Look(const Point2& place) const;
+  LevelPoint Evaluate(const Point2& place) const;
   bool IsInside(const Point2& place) const;
 
   /// Returns the point at the level between a point below and a point above. IsOnLevel is false if

@@ -44,7 +44,7 @@ private:
   {
     if (t > AtEnd && t < 1.0 - AtEnd)
     {
-      this->Points.push_back(this->Arc.Look(this->At(t)));
+      this->Points.push_back(this->Arc.Evaluate(this->At(t)));
     }
   }
 
@@ -72,7 +72,7 @@ private:
       const Point2 p = this->At(t);
       return DistanceFromSource(first, p) < DistanceFromSource(last, p);
     });
-    const FieldSample sample = this->Arc.Look(this->At(tie)).Sample;
+    const FieldSample sample = this->Arc.Evaluate(this->At(tie)).Sample;
     const bool isOther = sample.HasImage && sample.Candidate != first.Candidate &&
       sample.Candidate != last.Candidate && depth < MostDepth;
     if (isOther)

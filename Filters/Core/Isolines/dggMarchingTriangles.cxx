@@ -67,7 +67,7 @@ void MarchingTriangles::Build(const FaceProfile& profile, const LevelArc& arc, d
 Id MarchingTriangles::AddNode(const LevelArc& arc, double level, const Point2& place)
 {
   Node node;
-  node.Point = arc.Look(place);
+  node.Point = arc.Evaluate(place);
   node.IsAbove = node.Point.Sample.Distance >= level;
   this->Nodes.push_back(node);
   return static_cast<Id>(this->Nodes.size()) - 1;
@@ -81,7 +81,7 @@ void MarchingTriangles::AddRim(
   for (const Point2& corner : corners)
   {
     this->Nodes.emplace_back();
-    this->Nodes.back().Point = arc.Look(corner);
+    this->Nodes.back().Point = arc.Evaluate(corner);
   }
   for (int k = 0; k < 3; ++k)
   {
@@ -100,7 +100,7 @@ void MarchingTriangles::AddRim(
       const Point2 place{ from.X + t * (to.X - from.X), from.Y + t * (to.Y - from.Y) };
       this->Nodes.emplace_back();
       Node& node = this->Nodes.back();
-      node.Point = arc.Look(place);
+      node.Point = arc.Evaluate(place);
       node.IsAbove = isAbove;
       node.IsOnSide[k] = true;
       return static_cast<Id>(this->Nodes.size()) - 1;
@@ -329,7 +329,7 @@ bool MarchingTriangles::CutAtMeeting(const LevelArc& arc, double level, std::siz
   Point2 meeting;
   if ((nodes[0]->IsAbove && nodes[1]->IsAbove && nodes[2]->IsAbove) ||
     !FindMeeting({ { &nodes[0]->Point, &nodes[1]->Point, &nodes[2]->Point } }, meeting) ||
-    !(arc.Look(meeting).Sample.Distance >= level))
+    !(arc.Evaluate(meeting).Sample.Distance >= level))
   {
     return false;
   }
@@ -436,7 +436,7 @@ Id MarchingTriangles::FindCrest(const LevelArc& arc, double level, Id a, Id b)
     for (int step = 0; step < StepsOfCrest && found == NoId; ++step)
     {
       const Point2 middle{ 0.5 * (begin.X + end.X), 0.5 * (begin.Y + end.Y) };
-      const LevelPoint point = arc.Look(middle);
+      const LevelPoint point = arc.Evaluate(middle);
       if (point.Sample.Distance >= level)
       {
         this->Nodes.emplace_back();
@@ -467,7 +467,7 @@ Id MarchingTriangles::FindDip(const LevelArc& arc, double level, Id a, Id b)
     const Point2 base{ begin.X + t * way.X, begin.Y + t * way.Y };
     double left = -0.5;
     double right = 0.5;
-    LevelPoint best = arc.Look(base);
+    LevelPoint best = arc.Evaluate(base);
     double x = 0.0;
     bool isRising = Dot(best.Sample.Gradient, side) > 0.0;
     for (int step = 0; step < StepsOfCrest; ++step)
@@ -480,7 +480,7 @@ Id MarchingTriangles::FindDip(const LevelArc& arc, double level, Id a, Id b)
         isRising = x < 0.0;
         continue;
       }
-      const LevelPoint point = arc.Look(place);
+      const LevelPoint point = arc.Evaluate(place);
       best = point.Sample.Distance > best.Sample.Distance ? point : best;
       isRising = Dot(point.Sample.Gradient, side) > 0.0;
     }

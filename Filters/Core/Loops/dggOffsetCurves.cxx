@@ -4,9 +4,9 @@
 
 #include "dggEdgeSplitting.h"
 #include "dggExactGeodesics.h"
-#include "dggStatus.h"
 #include "dggIsolines.h"
 #include "dggProgressPart.h"
+#include "dggStatus.h"
 #include "dggSurfaceRefinement.h"
 
 #include <algorithm>

@@ -35,8 +35,8 @@ class SurfaceMesh;
 /// manner as the parent.
 struct PartOfMesh
 {
-  const SurfaceMesh* Whole = nullptr; ///< parent mesh; null if there is none
-  const Id* Faces = nullptr;          ///< per triangle, the face of the parent that contains it
+  const SurfaceMesh* Parent = nullptr; ///< parent mesh; null if there is none
+  const Id* Faces = nullptr;           ///< per triangle, the face of the parent that contains it
 };
 
 /// An intrinsic triangle mesh: the properties of a surface that determine geodesics. All properties

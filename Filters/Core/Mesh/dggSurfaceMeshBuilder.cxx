@@ -465,19 +465,19 @@ void SurfaceMeshBuilder::Orient()
 
 void SurfaceMeshBuilder::TakeOrigin(const PartOfMesh& origin)
 {
-  this->Whole = origin.Whole;
-  if (!origin.Whole)
+  this->Parent = origin.Parent;
+  if (!origin.Parent)
   {
     return;
   }
   for (Id f = 0; f < this->Mesh.GetNumberOfFaces(); ++f)
   {
     const Id old = origin.Faces[f];
-    if (!this->Mesh.IsDropped(f) && origin.Whole->IsMollified(old))
+    if (!this->Mesh.IsDropped(f) && origin.Parent->IsMollified(old))
     {
       this->Mesh.FaceFlags[f] |= SurfaceMesh::MollifiedFlag;
-      this->Mesh.FaceFlags[f] |= origin.Whole->IsDegenerate(old) ? SurfaceMesh::DegenerateFlag : 0;
-      this->Mesh.Mollification = origin.Whole->GetMollification();
+      this->Mesh.FaceFlags[f] |= origin.Parent->IsDegenerate(old) ? SurfaceMesh::DegenerateFlag : 0;
+      this->Mesh.Mollification = origin.Parent->GetMollification();
     }
   }
 }
@@ -511,13 +511,13 @@ double SurfaceMeshBuilder::TriangleInequalityViolation(Id f) const
   const double b = mesh.Lengths[3 * f + 1];
   const double c = mesh.Lengths[3 * f + 2];
   const double longest = std::max({ a, b, c });
-  const double mean = this->Whole ? this->Whole->GetMeanEdgeLength() : mesh.MeanEdgeLength;
+  const double mean = this->Parent ? this->Parent->GetMeanEdgeLength() : mesh.MeanEdgeLength;
   const double tau = DegeneracySlack * std::max(mean, longest);
   // The two shorter edges minus the longest; the closest lengths are subtracted first.
   const double middle = std::max(std::min(a, b), std::min(std::max(a, b), c));
   const double shortest = std::min({ a, b, c });
   const double slack = shortest - (longest - middle);
-  return slack < (this->Whole ? LeastSlackOfParts : 1.0) * tau ? tau - slack : 0.0;
+  return slack < (this->Parent ? LeastSlackOfParts : 1.0) * tau ? tau - slack : 0.0;
 }
 
 void SurfaceMeshBuilder::Mollify()

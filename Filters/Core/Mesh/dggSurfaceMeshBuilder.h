@@ -62,10 +62,10 @@ private:
   Status CheckExtent(double extent, const char* what) const;
 
   SurfaceMesh& Mesh;
-  const SurfaceMesh* Whole = nullptr; // parent mesh, or null
-  Groups Outgoing;                    // half-edges by origin, without dropped faces
-  bool AreAllLinked = false;          // true if all edges off the boundary are known to be linked
-  std::vector<Spoke> Spokes;          // per vertex, with the last of its smaller neighbors
+  const SurfaceMesh* Parent = nullptr; // parent mesh, or null
+  Groups Outgoing;                     // half-edges by origin, without dropped faces
+  bool AreAllLinked = false;           // true if all edges off the boundary are known to be linked
+  std::vector<Spoke> Spokes;           // per vertex, with the last of its smaller neighbors
   std::vector<Id> Crowded; // half-edges whose edges have more than two faces, or duplicates
 };
 }

@@ -3,8 +3,8 @@
 #include "dggPieceSplitter.h"
 
 #include "dggFaceTriangulation.h"
-#include "dggStatus.h"
 #include "dggProgressPart.h"
+#include "dggStatus.h"
 
 #include <algorithm>
 #include <array>
@@ -338,7 +338,7 @@ private:
   }
 
   /// Reports progress at one step out of many. Returns false to stop.
-  static bool Goes(const ProgressCallback& progress, std::size_t step, std::size_t steps)
+  static bool ShouldContinue(const ProgressCallback& progress, std::size_t step, std::size_t steps)
   {
     return step % ProgressInterval != ProgressInterval - 1 || !progress ||
       progress(static_cast<double>(step) / static_cast<double>(steps));
@@ -356,7 +356,7 @@ private:
     std::vector<std::size_t> close;
     for (std::size_t i = 0; i < candidates.size(); ++i)
     {
-      if (!Goes(progress, i, candidates.size()))
+      if (!ShouldContinue(progress, i, candidates.size()))
       {
         return false;
       }
@@ -411,7 +411,7 @@ private:
     std::vector<std::size_t> close;
     for (std::size_t i = 0; i < this->Segments.size(); ++i)
     {
-      if (!Goes(progress, i, this->Segments.size()))
+      if (!ShouldContinue(progress, i, this->Segments.size()))
       {
         return Status::Abort();
       }

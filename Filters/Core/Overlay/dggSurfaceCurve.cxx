@@ -3,8 +3,8 @@
 #include "dggSurfaceCurve.h"
 
 #include "dggExactPath.h"
-#include "dggStatus.h"
 #include "dggProgressPart.h"
+#include "dggStatus.h"
 
 #include <algorithm>
 #include <memory>

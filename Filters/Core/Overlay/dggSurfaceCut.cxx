@@ -3,8 +3,8 @@
 #include "dggSurfaceCut.h"
 
 #include "dggDisjointSets.h"
-#include "dggStatus.h"
 #include "dggPathEdges.h"
+#include "dggStatus.h"
 
 #include <cstddef>
 #include <numeric>

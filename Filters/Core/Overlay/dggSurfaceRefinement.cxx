@@ -4,8 +4,8 @@
 
 #include "dggEdges.h"
 #include "dggFaceTriangulation.h"
-#include "dggStatus.h"
 #include "dggPieceSplitter.h"
+#include "dggStatus.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -51,8 +51,11 @@ private:
     Id Path;
   };
 
-  bool Goes(double done) const { return !this->Options.Progress || this->Options.Progress(done); }
-  bool GoesInFace(std::size_t work, double done) const;
+  bool ShouldContinue(double done) const
+  {
+    return !this->Options.Progress || this->Options.Progress(done);
+  }
+  bool ShouldContinueInFace(std::size_t work, double done) const;
   Status CheckPaths() const;
   void MakePieces();
   Status AddFace(Id f);
@@ -85,7 +88,7 @@ Status Refiner::Run()
   const Id faces = this->Mesh.GetNumberOfFaces();
   for (Id f = 0; f < faces; ++f)
   {
-    if (f % ProgressInterval == 0 && !this->GoesInFace(0, 0.0))
+    if (f % ProgressInterval == 0 && !this->ShouldContinueInFace(0, 0.0))
     {
       return Status::Abort();
     }
@@ -95,7 +98,7 @@ Status Refiner::Run()
     }
     ++this->WorkDone;
   }
-  if (!this->Goes(FacesDone))
+  if (!this->ShouldContinue(FacesDone))
   {
     return Status::Abort();
   }
@@ -106,11 +109,11 @@ Status Refiner::Run()
 }
 
 /// Reports progress within a face, given the completed fraction of its work.
-bool Refiner::GoesInFace(std::size_t work, double done) const
+bool Refiner::ShouldContinueInFace(std::size_t work, double done) const
 {
   const auto whole =
     static_cast<double>(this->Pieces.size()) + static_cast<double>(this->Mesh.GetNumberOfFaces());
-  return this->Goes(
+  return this->ShouldContinue(
     FacesDone * (static_cast<double>(this->WorkDone) + done * static_cast<double>(work)) / whole);
 }
 
@@ -164,8 +167,9 @@ Status Refiner::AddFace(Id f)
   const std::size_t work = pieces == this->PiecesIn.end() ? 0 : pieces->second.size();
   if (pieces != this->PiecesIn.end())
   {
-    DGG_RETURN_IF_ERROR(SplitPieces(this->Nodes, this->Pieces, this->Options.InsertCrossings, f,
-      pieces->second, [&](double done) { return this->GoesInFace(work, PiecesDone * done); }));
+    DGG_RETURN_IF_ERROR(
+      SplitPieces(this->Nodes, this->Pieces, this->Options.InsertCrossings, f, pieces->second,
+        [&](double done) { return this->ShouldContinueInFace(work, PiecesDone * done); }));
   }
   DGG_RETURN_IF_ERROR(this->Triangulate(f, work));
   this->WorkDone += work;
@@ -209,7 +213,7 @@ Status Refiner::Triangulate(Id f, std::size_t work)
   std::vector<Id> nodes{ this->Mesh.Origin(h), this->Mesh.Origin(h + 1), this->Mesh.Origin(h + 2) };
   auto shouldContinue = [&](std::size_t i, std::size_t count, double from, double to) {
     return i % ProgressInterval != ProgressInterval - 1 ||
-      this->GoesInFace(
+      this->ShouldContinueInFace(
         work, from + (to - from) * static_cast<double>(i) / static_cast<double>(count));
   };
   for (const std::size_t i : MakeInsertionOrder(points))

@@ -5,8 +5,8 @@
 #include "dggDisjointSets.h"
 #include "dggEdges.h"
 #include "dggEdgeSplitting.h"
-#include "dggStatus.h"
 #include "dggPathEdges.h"
+#include "dggStatus.h"
 
 #include <algorithm>
 #include <iterator>

@@ -3,10 +3,10 @@
 #include "dggPatchBoundaries.h"
 
 #include "dggDisjointSets.h"
-#include "dggStatus.h"
 #include "dggLayoutDrawing.h"
 #include "dggLayoutOrder.h"
 #include "dggProgressPart.h"
+#include "dggStatus.h"
 
 #include <algorithm>
 #include <cstddef>

@@ -166,7 +166,7 @@ void PathFinder::Finish(Workspace& workspace, const PathOptions& options, FoundP
   {
     for (Strip& strip : workspace.Tracer.GetStrips())
     {
-      Tidy(this->Mesh, strip);
+      RemoveRedundantCrossings(this->Mesh, strip);
       workspace.Shortener.Append(strip, found.Path);
     }
     return;

@@ -45,13 +45,13 @@ PathShortener::Corner PathShortener::CornerAt(const StripBend& bend) const
 
 double PathShortener::Shorten(Strip& strip)
 {
-  Tidy(this->Mesh, strip);
+  RemoveRedundantCrossings(this->Mesh, strip);
   double length = this->Lay(strip);
   int idle = 0; // rounds without a gain
   for (int round = 0; round < MaximumRounds && idle < MaximumIdleRounds && this->Reroute(strip);
        ++round)
   {
-    Tidy(this->Mesh, strip);
+    RemoveRedundantCrossings(this->Mesh, strip);
     const double shorter = this->Lay(strip);
     idle = shorter < length ? 0 : idle + 1;
     length = std::min(length, shorter);

@@ -199,7 +199,7 @@ Id HalfEdgeUnder(const SurfaceMesh& mesh, const SurfacePoint& point, Id face)
   return NoId;
 }
 
-void Tidy(const SurfaceMesh& mesh, Strip& strip)
+void RemoveRedundantCrossings(const SurfaceMesh& mesh, Strip& strip)
 {
   std::vector<EdgeCrossing>& crossings = strip.Crossings;
   std::size_t first = 0;

@@ -22,7 +22,7 @@ struct EdgeCrossing
 
 /// Faces from the start point to the end point; consecutive faces share an edge. No
 /// face is left through the edge by which it was entered, and the end points do not lie on the
-/// adjacent crossed edges (see Tidy()).
+/// adjacent crossed edges (see RemoveRedundantCrossings()).
 struct Strip
 {
   SurfacePoint Start;
@@ -86,7 +86,7 @@ double FindTurn(const SurfaceMesh& mesh, Id c, const TurnEnd& from, const TurnEn
 
 /// Removes redundant crossings: edges crossed forth and back, and edges that contain an end of the
 /// strip.
-void Tidy(const SurfaceMesh& mesh, Strip& strip);
+void RemoveRedundantCrossings(const SurfaceMesh& mesh, Strip& strip);
 
 /// Returns the half-edge of a face that contains a point on an edge; NoId if there is none.
 Id HalfEdgeUnder(const SurfaceMesh& mesh, const SurfacePoint& point, Id face);

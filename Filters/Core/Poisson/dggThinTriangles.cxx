@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggThinTriangles.h"
 
-#include "dggStatus.h"
 #include "dggPoissonSystem.h"
+#include "dggStatus.h"
 
 #include <algorithm>
 #include <cmath>

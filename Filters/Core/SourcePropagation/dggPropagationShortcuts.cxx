@@ -38,12 +38,12 @@ public:
   {
   }
 
-  void Look(const ParallelFor& parallel);
+  void CollectShortcuts(const ParallelFor& parallel);
   void Take(std::vector<PropagationShortcut>& shortcuts);
 
 private:
   float Get(Id v) const { return this->Distances[v].load(std::memory_order_relaxed); }
-  void LookFrom(Id h, std::vector<PropagationShortcut>& found) const;
+  void CollectShortcutsFrom(Id h, std::vector<PropagationShortcut>& found) const;
   void Push(std::vector<PropagationShortcut>& found)
   {
     for (const PropagationShortcut& way : found)
@@ -61,7 +61,7 @@ private:
 };
 
 /// Relaxes the two edges of the face at the origin of a half-edge.
-void EdgeWays::LookFrom(Id h, std::vector<PropagationShortcut>& found) const
+void EdgeWays::CollectShortcutsFrom(Id h, std::vector<PropagationShortcut>& found) const
 {
   const Id f = SurfaceMesh::Face(h);
   const int k = h % 3;
@@ -77,7 +77,7 @@ void EdgeWays::LookFrom(Id h, std::vector<PropagationShortcut>& found) const
   }
 }
 
-void EdgeWays::Look(const ParallelFor& parallel)
+void EdgeWays::CollectShortcuts(const ParallelFor& parallel)
 {
   std::mutex mutex;
   ForRange(parallel, this->Mesh.GetNumberOfFaces(), FacesPerBlock, [&](Offset begin, Offset end) {
@@ -93,9 +93,9 @@ void EdgeWays::Look(const ParallelFor& parallel)
         std::max(std::abs(b - c) - face.Lengths[1], std::abs(c - a) - face.Lengths[2]));
       if (excess > PropagationRounding * a && !this->Mesh.IsDropped(f))
       {
-        this->LookFrom(3 * f, found);
-        this->LookFrom(3 * f + 1, found);
-        this->LookFrom(3 * f + 2, found);
+        this->CollectShortcutsFrom(3 * f, found);
+        this->CollectShortcutsFrom(3 * f + 1, found);
+        this->CollectShortcutsFrom(3 * f + 2, found);
       }
     }
     const std::lock_guard<std::mutex> lock(mutex);
@@ -117,7 +117,7 @@ void EdgeWays::Take(std::vector<PropagationShortcut>& shortcuts)
       shortcuts.push_back(way);
       for (const Id* g = this->Mesh.FanBegin(way.Vertex); g != this->Mesh.FanEnd(way.Vertex); ++g)
       {
-        this->LookFrom(*g, found);
+        this->CollectShortcutsFrom(*g, found);
       }
       this->Push(found);
     }
@@ -130,7 +130,7 @@ void TakeWaysAlongEdges(const SurfaceMesh& mesh, const PropagationFaces& faces, 
   std::vector<PropagationShortcut>& shortcuts)
 {
   EdgeWays ways(mesh, faces, radius, distances);
-  ways.Look(parallel);
+  ways.CollectShortcuts(parallel);
   ways.Take(shortcuts);
 }
 

@@ -3,10 +3,10 @@
 #include "dggEarthMovers.h"
 
 #include "dggGeodesicSource.h"
-#include "dggStatus.h"
 #include "dggPoissonSystem.h"
 #include "dggProgressPart.h"
 #include "dggSparseFactor.h"
+#include "dggStatus.h"
 #include "dggThinTriangles.h"
 #include "dggUnfolding.h"
 
@@ -456,7 +456,8 @@ Status EarthMovers::Run(const std::vector<double>& from, const std::vector<doubl
     {
       step[v] = sources[v] - rest[v];
     }
-    const Status solved = matrix.Solve(step, [&](double) { return Goes(options.Progress, done); });
+    const Status solved =
+      matrix.Solve(step, [&](double) { return ShouldContinue(options.Progress, done); });
     if (solved.IsAborted())
     {
       return solved;

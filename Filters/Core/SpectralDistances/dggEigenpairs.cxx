@@ -228,8 +228,9 @@ Status FindLargest(Operator& op, Eigen::Index count, int search, const ProgressC
   const bool isDense = op.IsSmall(count);
   const auto size = std::min<Eigen::Index>(op.GetRank(), count + count / 2 + MoreVectors);
   const auto expected = static_cast<double>(isDense ? n : size + size / 2);
-  op.SetProgress(
-    [&](Id applied) { return Goes(progress, SearchDone * std::min(1.0, applied / expected)); });
+  op.SetProgress([&](Id applied) {
+    return ShouldContinue(progress, SearchDone * std::min(1.0, applied / expected));
+  });
   try
   {
     if (isDense)
@@ -307,7 +308,7 @@ Status FindOnComponent(
       --gap;
     }
     const double sigma = 0.5 * (gap > 0 ? valueOf(gap - 1) + valueOf(gap) : valueOf(0));
-    const auto more = [&](double) { return Goes(progress, SearchDone); };
+    const auto more = [&](double) { return ShouldContinue(progress, SearchDone); };
     const Id below = op.CountBelow(sigma, more) - op.GetNullity();
     for (int search = 1; gap < below && search < MostSearches && status.IsOk(); ++search)
     {
@@ -326,7 +327,7 @@ Status FindOnComponent(
     const Eigen::Index kept = std::min<Eigen::Index>(count, CountDefinite(inverses));
     Put(op, op.GetScale() * inverses.head(kept).cwiseInverse(), vectors.leftCols(kept), pairs);
   }
-  return !status.IsOk() || Goes(progress, 1.0) ? status : Status::Abort();
+  return !status.IsOk() || ShouldContinue(progress, 1.0) ? status : Status::Abort();
 }
 
 /// Returns the options for a submesh with the given vertices of the parent.

@@ -5,10 +5,10 @@
 #include "dggBlockLoop.h"
 #include "dggGeodesicSource.h"
 #include "dggGreensColumn.h"
-#include "dggStatus.h"
 #include "dggPoissonSystem.h"
 #include "dggSiteEquations.h"
 #include "dggSplineSites.h"
+#include "dggStatus.h"
 
 #include <cstdint>
 

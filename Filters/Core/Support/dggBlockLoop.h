@@ -6,7 +6,7 @@
 #define dggBlockLoop_h
 
 #include "dggParallel.h"     // for ParallelFor
-#include "dggProgressPart.h" // for Goes()
+#include "dggProgressPart.h" // for ShouldContinue()
 
 #include <algorithm>   // for std::min
 #include <atomic>      // for what blocks share
@@ -35,7 +35,8 @@ public:
     while (!this->Sum.compare_exchange_weak(sum, sum + more))
     {
     }
-    if (!this->IsStopped && !Goes(this->Progress, std::min(1.0, (sum + more) / this->Blocks)))
+    if (!this->IsStopped &&
+      !ShouldContinue(this->Progress, std::min(1.0, (sum + more) / this->Blocks)))
     {
       this->IsStopped = true;
     }

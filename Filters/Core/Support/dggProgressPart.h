@@ -10,15 +10,15 @@
 namespace dgg
 {
 /// Reports progress. Returns true if the work should continue.
-inline bool Goes(const ProgressCallback& progress, double fraction)
+inline bool ShouldContinue(const ProgressCallback& progress, double fraction)
 {
   return !progress || progress(fraction);
 }
 
-/// Like Goes(), but returns a Status.
+/// Like ShouldContinue(), but returns a Status.
 inline Status ReportTo(const ProgressCallback& progress, double fraction)
 {
-  return Goes(progress, fraction) ? Status::Success() : Status::Abort();
+  return ShouldContinue(progress, fraction) ? Status::Success() : Status::Abort();
 }
 
 /// Returns the progress callback of a step that covers the interval [begin, end] of the total:

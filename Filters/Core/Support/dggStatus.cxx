@@ -74,7 +74,10 @@ std::string Render(
       break;
     }
     const std::string name = message.substr(begin + 1, end - begin - 1);
-    text += message.substr(done, begin - done) + (nameOf ? nameOf(name) : name);
+    const bool isProperty =
+      std::all_of(name.begin(), name.end(), [](unsigned char c) { return std::isalpha(c) != 0; });
+    text += message.substr(done, begin - done);
+    text += !isProperty ? "{" + name + "}" : nameOf ? nameOf(name) : name;
     done = end + 1;
   }
   return text + message.substr(done);

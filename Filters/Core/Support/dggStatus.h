@@ -34,7 +34,6 @@ public:
   };
 
   static Status Success() { return {}; }
-  static Status Invalid(std::string message) { return Status(Code::InvalidInput, message); }
   static Status Abort() { return Status(Code::Aborted, "Aborted"); }
 
   Status() = default;
@@ -130,7 +129,8 @@ Status Status::Fix(const Parts&... parts) const
 }
 
 /// Returns a message with the properties in braces replaced by the names that `nameOf` returns.
-/// Without `nameOf`, only the braces are removed.
+/// Without `nameOf`, only the braces are removed. Braces around anything but letters, as in the
+/// name of an array, stay.
 DGG_CORE_EXPORT std::string Render(const std::string& message,
   const std::function<std::string(const std::string&)>& nameOf = nullptr);
 }

@@ -5,11 +5,11 @@
 #include "dggBitHash.h"
 #include "dggBoxTree.h"
 #include "dggCoincidentPoints.h"
-#include "dggStatus.h"
 #include "dggLocator.h"
 #include "dggPoint3.h"
 #include "dggPolygonTriangulator.h"
 #include "dggSharedTable.h"
+#include "dggStatus.h"
 
 #include <algorithm>
 #include <array>

@@ -3,9 +3,9 @@
 #include "dggSourceCollection.h"
 
 #include "dggCellCoordinates.h"
-#include "dggStatus.h"
 #include "dggLocator.h"
 #include "dggPoint3.h"
+#include "dggStatus.h"
 
 #include <algorithm>
 #include <cctype>

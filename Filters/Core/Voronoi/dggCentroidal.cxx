@@ -29,7 +29,7 @@ Status Iterate(Centers& centers, const CentroidalOptions& options, typename Cent
   const auto within = [&report](double start) {
     return [&report, start](double part) { return report(start + 0.99 * part); };
   };
-  Status status = centers.Look(current, within(0.0));
+  Status status = centers.Evaluate(current, within(0.0));
   energies.assign(1, current.Energy);
   double part = 1.0;
   int halvings = 0;
@@ -94,7 +94,7 @@ public:
   }
 
   /// Computes the energy and the means of a state.
-  Status Look(State& state, const ProgressCallback& progress)
+  Status Evaluate(State& state, const ProgressCallback& progress)
   {
     LinkedSites linked;
     DGG_RETURN_IF_ERROR(LinkSites(state.Sites, &this->Builder, this->Accuracy, linked));
@@ -169,7 +169,7 @@ public:
         WalkStraight(this->Mesh, from.Sites[i], from.Angles[i], part * from.Lengths[i], path));
       to.Sites.push_back(path.Points.back());
     }
-    return this->Look(to, progress);
+    return this->Evaluate(to, progress);
   }
 
 private:
@@ -241,7 +241,7 @@ public:
 
   /// Searches from the sites of a state. The first state determines the unit of length, so that
   /// squares neither overflow nor vanish.
-  Status Look(State& state, const ProgressCallback& progress)
+  Status Evaluate(State& state, const ProgressCallback& progress)
   {
     std::vector<GraphSeed> seeds;
     for (std::size_t i = 0; i < state.Sites.size(); ++i)
@@ -332,11 +332,11 @@ public:
     {
       return Status::Success();
     }
-    Status status = this->Look(to, progress);
+    Status status = this->Evaluate(to, progress);
     State selected;
     if (status.IsOk() && !(to.Energy < from.Energy) && this->SelectMoves(from, to, selected))
     {
-      status = this->Look(selected, progress);
+      status = this->Evaluate(selected, progress);
       std::swap(to, selected);
     }
     return status;

@@ -120,13 +120,13 @@ public:
     double area = 0.0;
     for (Id f = 0; f < mesh.GetNumberOfFaces(); ++f)
     {
-      area += Matters(graph, mesh, f) ? AreaOf(mesh, f) : 0.0;
+      area += CanHoldSamples(graph, mesh, f) ? AreaOf(mesh, f) : 0.0;
     }
     // Spacing of a lattice of `count` points.
     const double spacing = std::sqrt(area / static_cast<double>(count));
     for (Id f = 0; f < mesh.GetNumberOfFaces(); ++f)
     {
-      if (Matters(graph, mesh, f))
+      if (CanHoldSamples(graph, mesh, f))
       {
         this->AddPlaces(mesh, f, spacing);
       }
@@ -211,7 +211,7 @@ private:
   }
 
   /// Returns true for faces with area whose vertices have edges in the graph.
-  static bool Matters(const GraphView& graph, const SurfaceMesh& mesh, Id f)
+  static bool CanHoldSamples(const GraphView& graph, const SurfaceMesh& mesh, Id f)
   {
     bool matters = !mesh.IsDropped(f) && !mesh.IsMollified(f);
     for (Id h = 3 * f; h < 3 * f + 3 && matters; ++h)

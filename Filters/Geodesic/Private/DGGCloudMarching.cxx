@@ -5,8 +5,8 @@
 #include "DGGDistanceInternals.h"
 
 #include "dggBlockLoop.h"
-#include "dggStatus.h"
 #include "dggProgressPart.h"
+#include "dggStatus.h"
 
 #include "vtkIdList.h"
 #include "vtkNew.h"

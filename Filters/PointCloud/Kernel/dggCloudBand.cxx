@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggBandSizes.h"
 #include "dggCloudSetup.h"
-#include "dggStatus.h"
 #include "dggMemoryLimit.h"
 #include "dggSetupLoop.h"
+#include "dggStatus.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,8 +5,8 @@
 #include "dggCloudAssembly.h"
 #include "dggCloudRows.h"
 #include "dggCloudSetup.h"
-#include "dggStatus.h"
 #include "dggProgressPart.h"
+#include "dggStatus.h"
 
 #include <algorithm>
 #include <cmath>

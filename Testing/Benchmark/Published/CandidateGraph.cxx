@@ -39,7 +39,7 @@ dgg::Status FindCandidates(const dgg::UnfoldingTable& table, double accuracy, dg
     }
     if (tracer.ExceededLimit())
     {
-      return dgg::Status::Invalid("a vertex has too many windows");
+      return dgg::InvalidInput("a vertex has too many windows");
     }
     rows.AppendRow(row.data(), row.data() + row.size());
   }
