@@ -30,6 +30,8 @@
 
 namespace
 {
+static_assert(sizeof(vtkIdType) == sizeof(dgg::Offset), "vtkDGG requires a VTK with 64-bit ids");
+
 ///@{
 /// Returns the VTK array of a type of values.
 vtkSmartPointer<vtkDataArray> Adopt(dgg::Buffer<double>& values, const char* name, int components)

@@ -28,6 +28,8 @@
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
+#include <iterator>
+#include <utility>
 #include <exception>
 #include <new>
 
@@ -233,6 +235,7 @@ dgg::Status DGGFilterInternals::CheckAllProperties() const
 dgg::Status DGGFilterInternals::Compute(
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
+  this->OutputWarnings.clear();
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
   if (input && input->GetNumberOfPoints() > 0 && !this->IsCloud(input))
   {
@@ -250,11 +253,17 @@ dgg::Status DGGFilterInternals::Compute(
     this->WarnAboutEmptyInput("neither points nor cells");
     this->Mesh->Clear();
     this->MakeEmptyOutput(this->MakeContext(input), outputVector);
+    this->Warn(this->OutputWarnings);
     return dgg::Status::Success();
   }
   DGG_RETURN_IF_ERROR(this->PrepareMesh(input));
-  return this->Advance(0.0) ? this->Execute(this->MakeContext(input), inputVector, outputVector)
-                            : dgg::Status::Abort();
+  if (!this->Advance(0.0))
+  {
+    return dgg::Status::Abort();
+  }
+  DGG_RETURN_IF_ERROR(this->Execute(this->MakeContext(input), inputVector, outputVector));
+  this->Warn(this->OutputWarnings); // observers may read the output
+  return dgg::Status::Success();
 }
 
 //------------------------------------------------------------------------------
@@ -339,7 +348,8 @@ dgg::Status DGGFilterInternals::FillOutput(
 {
   DGG_RETURN_IF_ERROR(DGGFillOutput(output, context.Input, this->Filter->OutputPointsPrecision,
     vtkPolyData::GetData(outputVector, port)));
-  this->Warn(output.Warnings); // observers may read the output
+  std::move(
+    output.Warnings.begin(), output.Warnings.end(), std::back_inserter(this->OutputWarnings));
   return dgg::Status::Success();
 }
 

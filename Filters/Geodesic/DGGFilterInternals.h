@@ -113,7 +113,7 @@ public:
   /// Reports a reason for inaccurate results once per mesh. Returns true if there is a reason.
   bool WarnAboutQuality(const std::string& reason);
 
-  /// Fills an output that is new geometry, and reports its warnings.
+  /// Fills an output that is new geometry. Its warnings are reported when all outputs are filled.
   dgg::Status FillOutput(const DGGContext& context, dgg::Output& output,
     vtkInformationVector* outputVector, int port = 0);
 
@@ -129,12 +129,13 @@ private:
   bool Advance(double fraction);
 
   vtkGeodesicAlgorithm* Filter;
-  std::atomic<double> Reached;          // progress of the update so far
-  std::atomic<bool> IsStopped;          // true if observers have requested a stop
-  std::thread::id Caller;               // thread of the update
-  vtkMTimeType GapsBuildTime;           // build time of the mesh that was checked for gaps
-  vtkMTimeType QualityTime;             // build time of the mesh of QualityReasons
-  std::set<std::string> QualityReasons; // reported for this mesh
+  std::atomic<double> Reached;             // progress of the update so far
+  std::atomic<bool> IsStopped;             // true if observers have requested a stop
+  std::thread::id Caller;                  // thread of the update
+  vtkMTimeType GapsBuildTime;              // build time of the mesh that was checked for gaps
+  vtkMTimeType QualityTime;                // build time of the mesh of QualityReasons
+  std::set<std::string> QualityReasons;    // reported for this mesh
+  std::vector<std::string> OutputWarnings; // of the outputs filled so far
   std::unique_ptr<DGGMeshAdapter> Mesh;
   std::unique_ptr<DGGPartedUpdate> Parts;
 };

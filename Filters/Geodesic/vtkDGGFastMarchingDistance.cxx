@@ -38,7 +38,7 @@ public:
   bool IsCloud(vtkPolyData* input) const override;
   std::string GetMemoryRemedy() const override
   {
-    return DGGDistanceInternals::GetMemoryRemedy() + ", or on a cloud a smaller Resolution";
+    return DGGDistanceInternals::GetMemoryRemedy() + ", or on a cloud a smaller {Resolution}";
   }
   void ForgetResults() override;
   dgg::Status ComputeDistances(DGGDistanceTask& task) override;

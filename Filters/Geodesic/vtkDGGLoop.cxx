@@ -108,6 +108,7 @@ dgg::Status vtkDGGLoop::vtkInternals::Execute(
   const DGGContext& context, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   dgg::LoopOptions options;
+  static_assert(static_cast<int>(dgg::LoopOptions::Rope) == Rope, "modes are kinds");
   options.Kind = static_cast<dgg::LoopOptions::KindType>(this->Self->Mode);
   options.Taut = this->Self->Taut;
   options.TapeWidth = this->Self->TapeWidth;

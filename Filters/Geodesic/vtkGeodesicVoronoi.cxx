@@ -162,7 +162,7 @@ dgg::Status vtkGeodesicVoronoi::vtkInternals::ComputePreview(
   options.WantNearestSource = true;
   dgg::PropagationResult found;
   DGG_RETURN_IF_ERROR(this->PreviewSolver.Run(context, result.Sites, options, found)
-                        .Of("Preview, which can be turned off"));
+                        .Of("{Preview}, which can be turned off"));
   this->WarnAboutQuality(dgg::JoinReasons(
     { dgg::DescribeLongTriangles(context.Surface,
         "cells of {Preview} may be wrong. Turn off {Preview}, or remesh the surface"),

@@ -27,8 +27,7 @@ struct FarthestVertex
 /// Farthest-point sampling in a graph (Eldar, Lindenbaum, Porat and Zeevi, "The farthest point
 /// strategy for progressive image sampling", 1997). The distance of every vertex from the nearest
 /// sample is maintained. A new sample only visits the vertices that are nearer to the new sample
-/// than to all others.
-/// other samples.
+/// than to all other samples.
 ///
 /// The farthest distance, the covering radius, never grows. Samples that are placed successively at
 /// the farthest vertex are at least the covering radius apart. Vertices that no sample reaches

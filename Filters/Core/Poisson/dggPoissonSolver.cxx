@@ -166,7 +166,7 @@ Status PoissonSolver::CheckPole(const SurfacePoint& point) const
   }
   if (!this->System->HasBoundary(this->System->GetComponent(v)))
   {
-    return InvalidInput(where, " lies in a part of the surface without a boundary")
+    return InvalidInput(where, " lies in a component without a boundary")
       .At("Boundary", v)
       .Fix("Set {Boundary} to Neumann");
   }

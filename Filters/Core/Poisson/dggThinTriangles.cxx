@@ -168,9 +168,8 @@ Status CheckThinTriangles(const PoissonSystem& system, std::vector<std::uint8_t>
 Status CheckThinPlace(const PoissonSystem& system, Id component, const std::string& where)
 {
   return system.IsThin(component)
-    ? InvalidInput(
-        where, " lies in a part of the surface whose triangles are too thin to solve equations")
-        .Fix("Improve or exclude that part")
+    ? InvalidInput(where, " lies in a component whose triangles are too thin to solve equations")
+        .Fix("Improve or exclude this component")
     : Status::Success();
 }
 

@@ -309,10 +309,11 @@ Status BalanceComponents(
     const double b = toSums[components[v]];
     if (std::abs(a - b) > MassTolerance)
     {
-      return InvalidInput("The part of the surface with vertex ", v, " contains a fraction of ", a,
+      return InvalidInput("The component of vertex ", v, " contains a fraction of ", a,
         " of the first distribution and ", b, " of the second one")
         .At("Masses", static_cast<Offset>(v))
-        .Fix("Give both distributions the same mass in each part: mass cannot move between parts");
+        .Fix("Give both distributions the same mass in each component: mass cannot move between "
+             "components");
     }
     const double ratio = a / b;
     from[v] = b > 0.0 && std::isfinite(ratio) ? from[v] : 0.0;

@@ -225,7 +225,7 @@ Status CheckSplinePlaces(const PoissonSolver& solver, const std::vector<SurfaceP
   {
     if (needed[system.GetComponent(v)] != 0 && HasFace(system.GetMesh(), v) && !system.IsFixed(v))
     {
-      return InvalidInput("The part of the surface with vertex ", v, " has no site")
+      return InvalidInput("The component of vertex ", v, " has no site")
         .Fix("Add a site to each component");
     }
   }

@@ -117,7 +117,7 @@ Status SourceCollection::Check(Offset numberOfPoints) const
     if (!IsFinite(PointAt(this->Positions.data(), static_cast<Id>(i))))
     {
       return InvalidInput(this->DescribeWithPosition(i), " has coordinates that are not finite")
-        .At(this->Property, static_cast<Offset>(i))
+        .At("", static_cast<Offset>(i))
         .Fix("Move or remove the point");
     }
     if (!std::isfinite(distance))
@@ -206,7 +206,7 @@ Status SourceCollection::FindClosest(std::size_t i, const PreparedSurface& surfa
                                  : this->Surface,
     ", farther than ", farthest, " ({ProjectionTolerance} ", tolerance, " times the diagonal ",
     locator.GetDiagonal(), ")")
-    .At(this->Property, static_cast<Offset>(i))
+    .At("", static_cast<Offset>(i))
     .Fix("Move the point, or raise {ProjectionTolerance}");
 }
 

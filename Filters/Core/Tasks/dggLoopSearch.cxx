@@ -41,7 +41,7 @@ Status SearchGraph(const TaskContext& context, GraphSession& graph, const LoopOp
     set.Loops.resize(1);
     bool isConnected = true;
     DGG_RETURN_IF_ERROR(
-      finder.Rope(points, options.Taut, set.Loops[0], isConnected, progress).Of("rope"));
+      finder.Rope(points, options.Taut, set.Loops[0], isConnected, progress).Of("Rope"));
     if (!isConnected)
     {
       set.Status = { LoopSet::NotConnected };
@@ -52,7 +52,7 @@ Status SearchGraph(const TaskContext& context, GraphSession& graph, const LoopOp
   return ForEach(points.size(), 1, context.Parallel, progress,
     [&](std::size_t i, const ProgressCallback& within) {
       return finder.ThroughPoint(points[i], options.Taut, set.Loops[i], within)
-        .Of("point " + std::to_string(i));
+        .Of("Point " + std::to_string(i));
     });
 }
 
@@ -71,7 +71,7 @@ Status FindOffsetCurves(
     {
       DGG_RETURN_IF_ERROR(MakeOffsetCurves(context.Surface.GetMesh(), loop, width,
         ProgressPart(progress, begin, end), set.OffsetCurves[i])
-                            .Of("tape of loop " + std::to_string(i)));
+                            .Of("Tape of loop " + std::to_string(i)));
     }
     DGG_RETURN_IF_ERROR(ReportTo(progress, end));
   }

@@ -17,7 +17,6 @@ namespace dgg
 {
 class GraphSession;
 struct Output;
-struct OutputArrays;
 struct TaskContext;
 
 struct VoronoiOptions

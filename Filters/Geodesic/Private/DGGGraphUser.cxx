@@ -82,8 +82,8 @@ dgg::Status DGGGraphUser::Update(const DGGContext& context, vtkObject* filter)
   const bool found = this->InputGraph.Find(data, context, complaint);
   if (!complaint.empty() && !isCloud)
   {
-    vtkWarningWithObjectMacro(filter,
-      << dgg::Render(complaint) << ". A graph with Accuracy " << this->Accuracy << " replaces it.");
+    vtkWarningWithObjectMacro(filter, << dgg::Render(complaint + ". A graph with {Accuracy} ")
+                                      << this->Accuracy << " replaces it.");
   }
   dgg::Status status;
   if (found)

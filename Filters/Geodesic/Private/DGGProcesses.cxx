@@ -184,11 +184,15 @@ dgg::Status DGGProcesses::Agree(const dgg::Status& status) const
   int code = static_cast<int>(status.GetCode());
   std::string problem = status.GetProblem();
   std::string action = status.GetAction();
+  std::string parameter = status.GetParameter();
+  auto index = static_cast<vtkTypeInt64>(status.GetIndex());
   vtkMultiProcessStream stream;
-  stream << code << problem << action;
+  stream << code << problem << action << parameter << index;
   this->Controller->Broadcast(stream, failed);
-  stream >> code >> problem >> action;
-  return dgg::Status(static_cast<dgg::Status::Code>(code), problem).Fix(action);
+  stream >> code >> problem >> action >> parameter >> index;
+  return dgg::Status(static_cast<dgg::Status::Code>(code), problem)
+    .Fix(action)
+    .At(parameter, index);
 }
 
 //------------------------------------------------------------------------------
