@@ -41,7 +41,7 @@ class Path:
     point_ids : numpy.ndarray of int64, shape (k,)
         Id of the point of the mesh at this position, otherwise -1.
     arc_lengths : numpy.ndarray of float64, shape (k,)
-        Length of the path up to the point.
+        Length of the line up to the point.
     """
 
     points: NDArray[np.float64]
@@ -239,10 +239,14 @@ def lines_of(output, kind, **names):
     for i in range(len(offsets) - 1):
         ids = corners[offsets[i] : offsets[i + 1]]
         ids = ids[:1] if len(ids) == 2 and ids[0] == ids[1] else ids
+        of_points = {k: None if v is None else v[ids] for k, v in per_point.items()}
+        if len(ids) > 1 and ids[0] == ids[-1]:  # the array has 0 at the first point
+            closing = np.linalg.norm(points[ids[-1]] - points[ids[-2]])
+            of_points["arc_lengths"][-1] = of_points["arc_lengths"][-2] + closing
         lines.append(
             kind(
                 points=points[ids],
-                **{k: None if values is None else values[ids] for k, values in per_point.items()},
+                **of_points,
                 **{key: float(values[i]) for key, values in per_line.items()},
             )
         )
