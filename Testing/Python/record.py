@@ -11,9 +11,10 @@ Made before and after a change that is to change no result:
 
 A record holds every output array of every filter and reader, with all methods and modes, on real
 meshes and clouds (of the folder of DGG_EXTRA_DATA by default) or else on generated ones; errors and
-warnings for bad inputs; methods and defaults of all classes; the peak memory of each run. Arrays
-must be the same with one and two threads, by all means that VTK has to run them. The graphs that
-filters search come from files, which the first record leaves in the folder GRAPHS for later ones.
+warnings for bad inputs; methods and defaults of all classes; the peak memory of each run. Messages
+are compared by kind, filter and ids, not by wording. Arrays must be the same with one and two
+threads, by all means that VTK has to run them. The graphs that filters search come from files,
+which the first record leaves in the folder GRAPHS for later ones.
 """
 
 import argparse
@@ -51,6 +52,8 @@ FLEETING = re.compile(r"BuildTime|FileName|GetValue$")
 NUMBERS = (bool, int, float, str)
 PLACE = re.compile(r"\A(?:ERROR|Warning): In .*, line \d+\n")
 ADDRESS = re.compile(r" ?\(?0x[0-9a-fA-F]+\)?")
+SUBJECT = re.compile(r"\w+:(?: vtk\w+:)?")  # of a message: its kind and the filter
+INTEGER = re.compile(r"(?<![\w.])-?\d+(?![\w.])")
 
 
 # --- One answer ----------------------------------------------------------------------------------
@@ -422,6 +425,12 @@ def compare_arrays(old, new):
     return text
 
 
+def identity_of(message):
+    """Returns what is compared of a message: kind, filter and ids."""
+    subject = SUBJECT.match(str(message))
+    return " ".join([subject.group() if subject else "", *INTEGER.findall(str(message))])
+
+
 def differences(key, old, new, tables):
     """Yields lines about the differences of two answers, or of the same part of two answers."""
     if old is None or new is None:
@@ -431,6 +440,8 @@ def differences(key, old, new, tables):
             if name not in ("peaks", "memory"):
                 yield from differences(f"{key}, {name}", old.get(name), new.get(name), tables)
     elif isinstance(old, list):
+        if key.endswith(", messages"):
+            old, new = [identity_of(line) for line in old], [identity_of(line) for line in new]
         for line in old:
             if line not in new:
                 yield f"{key}: no longer: {line}"
