@@ -172,8 +172,7 @@ private:
     return true;
   }
 
-  /// Starts in the face of an outgoing half-edge of the source. The two ends of the opposite edge
-  /// are the first relays.
+  /// Starts in the face of an outgoing half-edge of the source. Its far ends are the first relays.
   void StartAtCorner(Id g)
   {
     const Id across = SurfaceMesh::Next(g);
@@ -513,8 +512,7 @@ private:
     return this->HasOverlap && (this->IsUseless(window, 0) || this->IsUseless(window, 1));
   }
 
-  /// Tests one end. The farthest point from the end is the point where the bounding ray on the
-  /// other side meets the edge.
+  /// Tests one end. The farthest point from it is where the other bounding ray meets the edge.
   bool IsUseless(const GraphWindow& window, int end) const
   {
     if (window.Labels[end] == Infinity)
@@ -649,8 +647,7 @@ private:
     }
   }
 
-  /// Lowers the labels of neighbors along mesh edges. Vertices that no window reaches count as
-  /// well, and in the careful mode every label helps to prune.
+  /// Lowers the labels of neighbors along mesh edges, also of vertices that no window reaches.
   void ReachNeighbors(Id v, double distance)
   {
     const Id old = this->Table.OldVertex(v);
@@ -682,8 +679,7 @@ private:
   /// useless, so that labels need not be compared.
   bool HasOverlap = false;
   bool HasExceededLimit = false;
-  /// True if labels are propagated along the sides of faces, because the number of windows is
-  /// large.
+  /// True if labels are propagated along the sides of faces: there are many windows.
   bool PropagatesLabels = false;
   Id Source = NoId;
   GraphWindowMemory Memory;
