@@ -141,7 +141,6 @@ double GetTerrainHeight(double x, double y)
 vtkSmartPointer<vtkPolyData> MakeTerrain(int n)
 {
   auto surface = MakeGrid(n - 1, n - 1, GridCells::Triangles, 1.0 / (n - 1));
-  vtkPoints* points = surface->GetPoints();
   MovePoints(surface, [&](double* p) { p[2] = GetTerrainHeight(p[0], p[1]); });
   return surface;
 }
