@@ -169,7 +169,8 @@ TEST_F(DGGLoop, Ropes)
     const std::vector<vtkIdType>& ids = loops[0].Line.PointIds;
     EXPECT_NE(std::find(ids.begin(), ids.end(), this->Filter->GetPointId(i)), ids.end());
   }
-  // All points lie on one side, so that the rope can contract.
+  // All points lie on one side, so that the taut rope contracts.
+  this->Filter->TautOn();
   this->Filter->SetPointIds({ Sides, 5 * Sides + 1, 2 * Sides + 2 });
   ExpectWarning(this->Filter, { "rope contracts to a point", "LoopStatus is 1" });
   EXPECT_TRUE(GetLoops(this->Filter).empty());

@@ -43,7 +43,11 @@ TEST(DiscreteGreensFunction, ReportsTheMethodsUsed)
   sphere.Filter->AddSourceId(7);
   sphere.Filter->SetSourceData(
     MakeSourcePoints({ PointInCell(sphere.Surface, 777, { 0.2, 0.3, 0.5 }) }));
-  const double cosine = CosineOf(sphere.Surface->GetPoint(7), sphere.Surface->GetPoint(300));
+  std::array<double, 3> source;
+  std::array<double, 3> target;
+  sphere.Surface->GetPoint(7, source.data());
+  sphere.Surface->GetPoint(300, target.data());
+  const double expected = SphereGreens(CosineOf(source.data(), target.data()));
   for (int method = 0; method < 4; ++method)
   {
     sphere.Filter->SetMethod(method);
@@ -54,7 +58,7 @@ TEST(DiscreteGreensFunction, ReportsTheMethodsUsed)
     EXPECT_EQ(array->GetNumberOfComponents(), 2);
     EXPECT_EQ(sphere.Filter->GetUsedMethod(0), method);
     EXPECT_EQ(sphere.Filter->GetUsedMethod(1), method);
-    EXPECT_NEAR(sphere.Values()[300], SphereGreens(cosine), 5e-3);
+    EXPECT_NEAR(sphere.Values()[300], expected, 5e-3);
   }
   EXPECT_EQ(sphere.Filter->GetNumberOfFactorizations(), 1);
   EXPECT_EQ(sphere.Filter->GetUsedMethod(2), -1);

@@ -173,7 +173,7 @@ TEST(SurfaceEarthMoversDistance, PartsNeedTheSameMass)
   pair.Filter->NormalizeOff();
   EXPECT_NEAR(pair.Distance(), 2.0 * expected, 0.04 * expected);
   pair.Filter->SetToData(MakeSourcePoints({ { 0.0, 0.0, 1.0 }, { 0.0, 0.0, -1.0 } }));
-  ExpectError(pair.Filter, { "mass cannot move between parts" });
+  ExpectError(pair.Filter, { "mass cannot move between components" });
   // Sums of single-precision values are accurate enough.
   std::vector<double> from(2 * n);
   std::vector<double> to(2 * n);
