@@ -201,6 +201,7 @@ def make_parser():
     command = add(answers.sample, *built, out="points", example=points)
     command.add_argument("--number", type=int, required=True, help="how many")
     command.add_argument("--first", type=int, default=0, metavar="ID", help="the first one")
+    command.add_argument("--in-faces", action="store_true", help="also inside triangles")
     command = add(answers.greens, "source", "merge", "tolerance", out=values, example="--source 0")
     methods = ("SingularitySubtraction", "Localized", "Interpolated", "Vertex")
     command.add_argument("--method", choices=methods, default=methods[0])

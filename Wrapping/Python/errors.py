@@ -31,6 +31,7 @@ _ARGUMENTS = {
     "Boundary": "boundary",
     "Construction": "construction",
     "FirstSample": "first",
+    "InFaces": "in_faces",
     "MaximumDistance": "maximum_distance",
     "MemoryLimit": "memory_limit",
     "MergeCoincidentPoints": "merge_coincident_points",

@@ -432,7 +432,9 @@ def voronoi(options):
 def sample(options):
     """Evenly spread points."""
     made = graph_of(options, *read(options))
-    output = made.sample(options.number, first=options.first, as_polydata=True)
+    output = made.sample(
+        options.number, first=options.first, in_faces=options.in_faces, as_polydata=True
+    )
     radii = vtk_to_numpy(output.GetPointData().GetArray("CoveringRadius"))
     return {
         **named(made),

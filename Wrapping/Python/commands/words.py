@@ -33,6 +33,7 @@ OPTIONS = {
     "accuracy": "--accuracy",
     "boundary": "--boundary",
     "first": "--first",
+    "in_faces": "--in-faces",
     "iterations": "--iterations",
     "maximum_distance": "--maximum",
     "merge_coincident_points": "--merge",
