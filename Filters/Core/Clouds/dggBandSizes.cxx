@@ -22,7 +22,7 @@ constexpr double SpacingQuantile = 0.2;
 /// densest points.
 constexpr double VoxelsPerBall = 2000.0;
 /// Unconditional maximum of the mean number of voxels per ball. If the density varies strongly,
-/// voxels that fit the balls of the densest points would be far too many in the balls of the
+/// voxels that fit the balls of the densest points would be far too numerous in the balls of the
 /// sparsest points.
 constexpr double MostVoxelsPerBall = 4000.0;
 /// Maximum automatic number of voxels along the longest side.
@@ -31,10 +31,10 @@ constexpr double LargestAutomaticResolution = 1 << 23;
 /// the longest side, so that edges as long as a spacing keep float precision.
 constexpr double MostSpacings = 1 << 30;
 
-/// Smallest ratio between the distances of successive neighbors that counts as a gap. A group with
-/// fewer points than SpacingNeighbors has such a gap. In that case only the neighbors beyond the
-/// gap determine the spacing. Otherwise, if the majority of the neighbors belong to the group, the
-/// spacing would be the distance of the group from the rest.
+/// Smallest ratio between the distances of successive neighbors that counts as a gap. The spacing
+/// of a point in a group of fewer than SpacingNeighbors points is the distance of the group from
+/// the rest of the cloud. If most neighbors of a point belong to such a group, only the neighbors
+/// beyond the gap determine its spacing.
 constexpr double LeastGap = 4.0;
 constexpr std::size_t LeastGroup = SpacingNeighbors / 2 + 1;
 
@@ -123,8 +123,8 @@ Status ChooseBandSizes(const CloudNodes& nodes, const std::vector<Point3>& place
   }
   else
   {
-    // The voxels are small enough for the balls of the densest points, if the other balls permit
-    // that.
+    // The voxels are small enough for the balls of the densest points, unless the other balls would
+    // then contain too many voxels.
     const double volume = GetMeanVolume(radii);
     size = h > 0.0
       ? factor * median / h
@@ -133,7 +133,7 @@ Status ChooseBandSizes(const CloudNodes& nodes, const std::vector<Point3>& place
     {
       return TooFarApart(nodes, places, median, "a single band of voxels");
     }
-    // In this case the voxels may be too large for the balls of the densest points.
+    // This minimum may make the voxels too large for the balls of the densest points.
     size = h > 0.0 ? size : std::max(size, std::cbrt(volume / MostVoxelsPerBall));
   }
   if (!(size > 0.0))

@@ -24,9 +24,9 @@ namespace dgg
 class DGG_CORE_EXPORT Outliers
 {
 public:
-  /// Default ratio, for graphs. Outliers are not connected to a graph, so that only points beyond
-  /// doubt may be outliers. Nearer points may be objects of few points; they cost a cloud less than
-  /// 10 bits of precision.
+  /// Default ratio, for graphs. A graph does not connect outliers, so that only unmistakable
+  /// outliers may be excluded. Nearer points may be small objects; keeping them costs the cloud
+  /// less than 10 bits of precision.
   static constexpr double LargestRatio = 1000.0;
   /// Ratio for searches and frames, which do not lose points: far points are processed
   /// individually, with the same results. A smaller ratio wastes less precision and fewer buckets.

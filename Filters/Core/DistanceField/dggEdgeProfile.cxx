@@ -146,7 +146,7 @@ void EdgeProfile::CollectThroughFace(Id h)
 
 /// Divides the edge at the ends of windows, at the feet of their images, and at ties. Between ends
 /// and feet each distance is monotone, so that the minimum rises, falls, or rises up to a tie and
-/// falls behind the tie.
+/// falls beyond the tie.
 void EdgeProfile::FindWindowBreaks()
 {
   std::vector<double>& breaks = this->Breaks;

@@ -43,8 +43,8 @@ public:
 
   /// Returns abscissae from 0 to the length that separate the extrema of the distance. With
   /// windows, no extremum lies between consecutive abscissae, up to rounding. Without windows,
-  /// rarely more than one extremum lies between them; FindCrossings() searches such extrema when
-  /// necessary.
+  /// rarely more than one extremum lies between them; FindCrossings() searches for such extrema
+  /// when necessary.
   const std::vector<double>& GetBreaks() const { return this->Breaks; }
 
   /// Appends the abscissae, in increasing order, at which the distance crosses `level` (points at

@@ -40,8 +40,7 @@ constexpr double EdgesOfWave = 1 << 18;
 constexpr double LargestShareOfWave = 0.125;
 /// Rows built for an estimate.
 constexpr Id SampleSize = 128;
-/// Memory of rows and graph during assembly, relative to that of the graph; measured, with a
-/// margin.
+/// Peak memory during assembly, relative to the memory of the graph; measured, with a margin.
 constexpr double PeakOfAssembly = 1.35;
 /// Capacity of the arrays of rows, relative to their contents.
 constexpr double GrowthOfRows = 1.5;
@@ -59,9 +58,9 @@ constexpr double BytesPerFace = 3.0 * (sizeof(FaceCrossing) + sizeof(double)) + 
 constexpr double MostWorkOfFace = 1e4;
 constexpr double LargestShareOfSample = 2.0; // relative to the average
 constexpr std::size_t ShareOfVertex = 16;    // inverse of the maximum share of one vertex
-/// Minimum number of faces for the limit, for meshes in which windows cannot multiply and for
-/// meshes in which they can. Smaller meshes and coarser accuracies take little time in any case; a
-/// face takes more time if windows multiply.
+/// Minimum number of faces from which the work limit is computed, for meshes in which windows
+/// cannot multiply and for meshes in which they can. Smaller meshes and coarser accuracies take
+/// little time in any case; a face takes more time if windows multiply.
 constexpr double SmallestMesh = 20000.0;
 constexpr double SmallestBranchingMesh = 1000.0;
 /// Maximum number of windows per vertex in the fast mode at an accuracy of 1 %, more than on
@@ -69,7 +68,7 @@ constexpr double SmallestBranchingMesh = 1000.0;
 /// without interior points, on which each vertex sees all faces (FastWindowsPerFace).
 constexpr double FastWindows = 2000.0;
 constexpr double FastWindowsPerFace = 4.0;
-/// Ratio of the number of windows of the other rules to that of the progress rule.
+/// Ratio between the numbers of windows of any other rule and of the progress rule.
 constexpr double WindowsOfOtherRules = 16.0;
 
 /// Measured progress weights of the steps.

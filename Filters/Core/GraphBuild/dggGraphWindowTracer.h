@@ -340,7 +340,7 @@ private:
     }
   }
 
-  /// Abandons the current source: marks its limit as exceeded and releases the buffers.
+  /// Abandons the current source, whose work exceeds a limit, and releases the buffers.
   void GiveUp()
   {
     this->HasExceededLimit = true;
@@ -414,7 +414,7 @@ private:
   {
     const Relay& left = this->Relays[window.Relays[0]];
     const Relay& right = this->Relays[window.Relays[1]];
-    // Most windows are split in the first face, and hardly any window ends before. Therefore the
+    // Most windows are split in the first face, and hardly any window ends earlier. Therefore the
     // stop point is computed after the first face.
     bool isStarted = !Rule::StartsLate;
     for (;;)

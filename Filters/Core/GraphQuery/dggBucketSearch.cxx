@@ -246,7 +246,7 @@ private:
 
   void PrefetchRow(Offset begin, Offset end) const
   {
-    // Prefetch only the begin of a long row; the hardware prefetcher handles the remainder.
+    // Prefetch only the beginning of a long row; the hardware prefetcher handles the remainder.
     end = std::min<Offset>(end, begin + 96);
     for (Offset e = begin; e < end; e += 16)
     {

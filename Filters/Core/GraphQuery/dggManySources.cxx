@@ -129,7 +129,7 @@ void ManySources::Sweep(const Length* lengths, const std::vector<Id>& order)
   }
 }
 
-/// Searches a shorter path to every vertex. Few vertices have one.
+/// Searches for a shorter path to every vertex. Few vertices have one.
 template <typename Length>
 void ManySources::Certify(const Length* lengths)
 {

@@ -14,14 +14,14 @@
 namespace dgg
 {
 /// Limits of the angle by which a shortest path turns. A path over edges of lengths a and b that
-/// meet in vertex u at an angle phi on the surface is not a shortest one if phi is small. Around u,
-/// up to the nearest opposite edge of its faces, the surface is a cone; cutting the corner at the
-/// distance x of this edge saves 2x (1 - sin(phi / 2)). A guaranteed graph has a path that exceeds
-/// this shortcut by at most the accuracy, and that is shorter than a + b if phi is below a limit.
-/// is shorter than a + b if phi is below a limit.
+/// meet in vertex u at an angle phi on the surface is not a shortest path if phi is small. Around
+/// u, up to the nearest opposite edge of its faces, the surface is a cone; cutting the corner at
+/// the distance x of this edge saves 2x (1 - sin(phi / 2)). A guaranteed graph has a path that
+/// exceeds this shortcut by at most the accuracy, and that is shorter than a + b if phi is below a
+/// limit.
+///
 /// Unlike the fans of GraphFans, the limits are a theorem: a search that respects the limits finds
 /// all distances.
-/// distances.
 class TurnLimits
 {
 public:

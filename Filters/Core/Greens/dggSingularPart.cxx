@@ -168,7 +168,7 @@ std::array<double, 3> IntegrateNear(const Logarithm& logarithm,
 
 /// Returns the same shares as IntegrateNear(), by three-point quadrature. The quadrature is exact
 /// for quadratic functions, and far from the pole s is smooth. In the plane the squared distance
-/// from a point, with barycentric coordinates b, is sum b_i d_i^2 - sum b_i b_j l_ij^2.
+/// from a point, with barycentric coordinates b, is sum_i b_i d_i^2 - sum_{i<j} b_i b_j l_ij^2.
 std::array<double, 3> IntegrateFar(const Logarithm& logarithm,
   const IntrinsicTriangulation& triangulation, Id f, const std::array<double, 3>& d, bool isLumped)
 {

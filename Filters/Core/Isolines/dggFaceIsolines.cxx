@@ -18,7 +18,7 @@ constexpr double CellsPerSeed = 4.0;
 constexpr double OnRim = 1e-9;
 /// Barycentric coordinate of the samples close to corners.
 constexpr double NearCorner = 0.8;
-/// Rows of the lattice on which a maximum is searched, and number of points of the lattice.
+/// Rows of the lattice on which a maximum is sought, and number of points of the lattice.
 constexpr int PeakRows = 4;
 constexpr int PeakSamples = PeakRows * (PeakRows + 1) / 2;
 /// Initial step of the search for a maximum, number of halvings, and number of directions.

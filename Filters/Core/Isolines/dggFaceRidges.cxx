@@ -22,8 +22,8 @@ constexpr double WidthOfCorner = 1e-4;
 /// the boundary, which is sampled slightly inside.
 constexpr double RimSlack = 1e-4;
 constexpr double CutSlack = 1e-6;
-/// Minimum relative size of subregions that are divided further, if ridges meet in the subregion,
-/// and if a ridge ends because its angle decreases.
+/// Minimum relative size of subregions that are divided further: where ridges meet, and where a
+/// ridge ends because its angle decreases.
 constexpr double SmallestPart = 1e-7;
 constexpr double SmallestDeadEnd = 1e-2;
 /// Fraction of the tolerance below which subregions are not divided either.

@@ -122,8 +122,8 @@ void FieldJumpFinder::Find(
   }
 }
 
-/// Searches jumps in an interval. Intervals with at least half the angle are bisected, because the
-/// gradient may turn back before and after a jump.
+/// Searches for jumps in an interval. Intervals with at least half the angle are bisected, because
+/// the gradient may turn back before and after a jump.
 void FieldJumpFinder::Search(const Way& way, double begin, const FieldSample& atBegin, double end,
   const FieldSample& atEnd) const
 {

@@ -216,7 +216,7 @@ bool LevelArc::AddArc(
 
 /// Finds the corner between two pieces of the isoline. Returns false if no corner is found. If the
 /// field at the intersection of both pieces comes from a third piece, which may be too short to be
-/// found otherwise, the corner with the third piece is searched instead.
+/// found otherwise, the corner with the third piece is found instead.
 bool LevelArc::FindCorner(
   const LevelPoint& from, const LevelPoint& to, LevelPoint& before, LevelPoint& after) const
 {

@@ -46,7 +46,6 @@ struct LevelChain
 /// wavefronts are lowest or meet. The side of the level of a node is decided by the crossings if
 /// the node lies on the boundary, and by the field if it lies inside. Thus every crossing belongs
 /// to exactly one curve, and curves do not intersect, for any field.
-/// for any field.
 class MarchingTriangles
 {
 public:

@@ -15,7 +15,7 @@ namespace dgg
 namespace
 {
 /// Maximum number of candidates that are straightened until a candidate does not contract. Most
-/// candidates that contract to a point are excluded before.
+/// candidates that contract to a point are excluded beforehand.
 constexpr std::size_t MostTrials = 256;
 /// Accuracy of links into a graph without an accuracy.
 constexpr double DefaultAccuracy = 0.01;
@@ -35,8 +35,8 @@ constexpr std::size_t MostWorkOfFace = 600;
 constexpr std::size_t SmallestMesh = 3000; // minimum number of faces for the limit
 
 /// Releases a loop at its required points and shortens it. A loop that is straight at these points
-/// is already a geodesic. Within the kink tolerance the loop may become slightly shorter, but does
-/// not slip off.
+/// is already a geodesic. A loop that is straight within the kink tolerance is kept if it would
+/// contract to a point.
 void Relax(const SurfaceMesh& mesh, FoundLoop& loop)
 {
   if (loop.Angle >= Pi - LoopShortener::AngleTolerance)

@@ -203,7 +203,7 @@ double LoopShortener::AngleAt(const SurfaceMesh& mesh, const SurfacePath& loop, 
   return std::min(angle, 2.0 * Pi - angle);
 }
 
-/// Removes edges crossed forth and back at the position where the ring closes.
+/// Removes edges crossed back and forth at the position where the ring closes.
 void LoopShortener::CloseUp(std::vector<EdgeCrossing>& ring)
 {
   while (ring.size() > 1 && ring.back().Entry == ring.front().Exit)

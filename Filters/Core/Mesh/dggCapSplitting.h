@@ -23,11 +23,10 @@ struct CapSplitting
 /// produced by CAD programs where a vertex of one face lies in the interior of an edge of another
 /// face. All other triangles on the long edge are split at the apex, and the cap is removed. A cap
 /// that is the only triangle on its long edge is removed if both short edges have other triangles.
-///
 /// The surface does not change, up to the heights of the caps, and points do not move; afterwards
 /// edges and triangles have the lengths and areas that their points imply. Other degenerate
-/// triangles, such as those with an edge of zero length, are not changed, and neither are caps that
-/// remain after a number of splits of a few times the number of triangles; both are left to
+/// triangles, such as those with an edge of zero length, are not changed. Caps also remain once
+/// splitting has multiplied the number of triangles a few times. Both are left to
 /// SurfaceMesh::FromPoints().
 ///
 /// `points` are x y z each, finite. `triangles` are triples of their ids. `parents[f]` becomes the

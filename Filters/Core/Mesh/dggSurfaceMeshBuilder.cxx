@@ -122,8 +122,8 @@ void SurfaceMeshBuilder::GlueByVertices()
   }
 }
 
-/// Appends half-edge h, between v and a larger neighbor, to the circular list of its edge. Call it
-/// vertex by vertex, in the order of half-edges.
+/// Appends half-edge h, between v and a larger neighbor, to the circular list of its edge. Must be
+/// called vertex by vertex, in the order of half-edges.
 void SurfaceMeshBuilder::Glue(Id v, Id neighbor, Id h, Id apex)
 {
   if (neighbor < v)

@@ -164,8 +164,8 @@ private:
   std::vector<AngleRange> Ranges;  // per new vertex
   /// Per non-manifold edge, two lists of the crossings that are entered through the edge, with one
   /// entry per half-edge. The lists are mirror images of each other and interleaved. A negative
-  /// entry at the end of a list is the offset back to the begin of the list. A code contains the
-  /// position of its own half-edge.
+  /// entry at the end of a list is the offset back to the beginning of the list. A code contains
+  /// the position of its own half-edge.
   std::vector<Id> Branches;
   Id Mirrors = 0; // first mirrored crossing; 0 if no crossing is mirrored
 };

@@ -43,8 +43,8 @@ std::pair<Id, Id> FindOnlyEdge(const std::vector<Id>& path)
   return only;
 }
 
-/// Splits edges that form an entire path: cut along such an edge, the surface would not open.
-/// Continuations by other paths do not count, since callers need not cut along all paths.
+/// Splits edges that form an entire path, because a cut along a single edge would not open the
+/// surface. Continuations by other paths do not count, since callers need not cut along all paths.
 void SplitLoneEdges(const SurfaceMesh& mesh, SubMesh& surface)
 {
   std::vector<std::pair<Id, Id>> edges;

@@ -115,7 +115,7 @@ private:
     }
     else if (count == 2)
     {
-      const int k = 3 - split[0] - split[1]; // the other one
+      const int k = 3 - split[0] - split[1]; // the third side
       const Node a = k;
       const Node b = (k + 1) % 3;
       const Node beyondB = 3 + b;

@@ -14,10 +14,10 @@
 namespace dgg
 {
 /// Splits each of the given faces into four by the midpoints of its sides, `levels` times: into
-/// 4^levels congruent triangles. Faces around them make the surface conforming: those with one or
-/// two split sides are divided into two or three parts (red-green refinement: Bank, Sherman and
-/// Weiser, "Some refinement algorithms and data structures for regular local mesh refinement",
-/// 1983). To avoid splitting these again on the next level, each level except the last also refines
+/// 4^levels congruent triangles. Adjacent faces with one or two split sides are divided into two or
+/// three parts, so that the surface is conforming (red-green refinement: Bank, Sherman and Weiser,
+/// "Some refinement algorithms and data structures for regular local mesh refinement", 1983). To
+/// avoid splitting these parts again on the next level, each level except the last also refines
 /// surrounding rings of faces, one per remaining level.
 ///
 /// New vertices are also inserted into paths, with their positions. Vertices keep their ids, and

@@ -338,8 +338,8 @@ void FaceTriangulation::Flip(int h)
     { { otherSides[Previous(twin) % 3], sides[Next(h) % 3], { 3 * t + 2, 0 } } });
 }
 
-/// Finds the edges that a segment crosses, from its start on. Returns false if it passes through a
-/// point or crosses a constrained segment.
+/// Finds the edges that a segment crosses, from its start on. Returns false if the segment passes
+/// through a point or crosses a constrained segment.
 bool FaceTriangulation::FindCrossed(int a, int b, std::deque<std::pair<int, int>>& crossed) const
 {
   const GridPoint& from = this->Points[a];
@@ -540,7 +540,7 @@ std::vector<std::size_t> MakeInsertionOrder(const std::vector<GridPoint>& points
   keys.reserve(points.size());
   for (std::size_t i = 0; i < points.size(); ++i)
   {
-    // Half of the points in the last round, a quarter in the one before, and so on.
+    // The last round has half of the points, the round before a quarter, and so on.
     int round = 0;
     for (std::uint64_t bits = HashOf(i); (bits & 1) != 0 && round > -60; bits >>= 1)
     {

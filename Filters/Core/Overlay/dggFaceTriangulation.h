@@ -54,7 +54,7 @@ public:
   /// Restores the Delaunay property without changing segments.
   void MakeDelaunay();
 
-  /// Counter-clockwise.
+  /// Returns the corners of the triangles, counter-clockwise.
   const std::vector<std::array<int, 3>>& GetTriangles() const { return this->Triangles; }
 
 private:
@@ -100,7 +100,7 @@ private:
 /// Returns an insertion order for FaceTriangulation::AddPoint() with constant expected time per
 /// point: rounds of randomly chosen points, each twice as large as the previous one and sorted
 /// along a space-filling curve (Amenta, Choi and Rote, "Incremental constructions con BRIO", 2003).
-/// Deterministic. Segments are inserted fast in the order of points on them.
+/// Deterministic. Inserting segments is fast in the order of their points.
 std::vector<std::size_t> MakeInsertionOrder(const std::vector<GridPoint>& points);
 }
 

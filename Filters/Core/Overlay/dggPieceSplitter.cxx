@@ -316,7 +316,8 @@ private:
     }
   }
 
-  /// Collects the segments of the pieces, except those on sides, where nothing crosses them.
+  /// Collects the segments of the pieces, except segments on sides of the face, which nothing
+  /// crosses.
   void CollectSegments(const std::vector<std::size_t>& places)
   {
     this->Segments.clear();
@@ -345,9 +346,9 @@ private:
   }
 
   /// Inserts nodes into segments that pass them, including nodes on sides: otherwise crossings
-  /// could be closer to these than the merge distance. `found` receives whether there were any;
-  /// then segments must be collected again, because parts of them may pass other nodes. Returns
-  /// false if stopped.
+  /// could be closer to these nodes than the merge distance. `found` becomes true if a node was
+  /// inserted; segments must then be collected again, because parts of them may pass other nodes.
+  /// Returns false if stopped.
   bool SplitAtNodes(const ProgressCallback& progress, bool& found)
   {
     found = false;
@@ -403,7 +404,7 @@ private:
     return n < end;
   }
 
-  /// Finds crossing pieces, and inserts nodes there, or fails.
+  /// Inserts nodes where pieces cross, or fails if crossings must not be inserted.
   Status SplitAtCrossings(const ProgressCallback& progress, bool& found)
   {
     using Insertion = std::tuple<std::size_t, std::size_t, double, Id>; // piece, start, along, node

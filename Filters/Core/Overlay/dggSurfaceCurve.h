@@ -28,7 +28,7 @@ struct SurfaceCurve
   bool IsClosed = false;
 };
 
-/// Joins surface points by a curve, in their order and, if it is to be closed, the last with the
+/// Joins surface points by a curve in their order; a closed curve also joins the last point to the
 /// first. Two points of one face are joined by a straight segment, others by an exact shortest
 /// path. Points may be repeated, and the curve may cross itself.
 ///

@@ -161,7 +161,7 @@ Status PathCutter::OpenEdges(SubMesh& cut) const
   return Status::Success();
 }
 
-/// Returns sets of corners. Two corners at a vertex that an edge still joins are in one sector.
+/// Returns the sectors as sets of corners: an edge that is not cut joins the corners at each end.
 DisjointSets PathCutter::FindSectors(const SubMesh& cut) const
 {
   DisjointSets sectors(cut.Triangles.size());
@@ -213,7 +213,8 @@ void PathCutter::CopyVertices(PinchedVertices pinched, SubMesh& cut) const
   }
 }
 
-/// The half-edge of the face on the left runs along the path, that on the right against the path.
+/// Returns one side of an edge of a path. The half-edge of the face on the left runs along the
+/// path, the half-edge of the face on the right against the path.
 EdgeSide PathCutter::FindSide(const SubMesh& cut, Id from, Id to, bool isLeft) const
 {
   EdgeSide side;

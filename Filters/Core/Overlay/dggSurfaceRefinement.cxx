@@ -337,8 +337,9 @@ void Refiner::MakeChains()
 }
 
 /// Adds the positions along the path of the nodes of a piece, except the first. Ratios of lengths
-/// along a straight line are equal in grid units and in model units, which may vanish in needles;
-/// they are accumulated from node to node, so that positions increase even if nodes were moved.
+/// along a straight line are equal in grid units and in model units, which may vanish in needles.
+/// The ratios are accumulated from node to node, so that positions increase even if nodes were
+/// moved.
 void Refiner::AddPlaces(const PathPiece& piece, std::vector<double>& places) const
 {
   const Id face = this->Paths[piece.Path].Faces[piece.Number];

@@ -18,7 +18,8 @@ namespace dgg
 {
 namespace
 {
-/// Returns the position of a neighbor in the fan of a vertex; behind all others if it is not there.
+/// Returns the position of a neighbor in the fan of a vertex; for other vertices, the size of the
+/// fan.
 double PlaceInFan(const SurfaceMesh& mesh, Id vertex, Id neighbor)
 {
   const Id* begin = mesh.FanBegin(vertex);
@@ -278,8 +279,8 @@ Status LayoutDrawing::Connect(const std::vector<LayoutSector>& from,
   return Status::Success();
 }
 
-/// Splits the surface along the path as well. If the path touches other curves, or itself, it is
-/// replaced by one at a distance from everything.
+/// Splits the surface along the path as well. A path that touches other curves, or itself, is
+/// replaced by a path at a distance from all curves.
 Status LayoutDrawing::KeepClear(
   Id edge, const ProgressCallback& progress, Connection& connection, SubMesh& refined) const
 {
@@ -322,8 +323,8 @@ Status LayoutDrawing::Trace(const LayoutSector& from, const std::vector<LayoutSe
   return status;
 }
 
-/// Like Trace() to one sector, at a distance from curves and other landmarks: edges that lead there
-/// are split, and the faces there are removed.
+/// Like Trace() to one sector, at a distance from curves and other landmarks: edges that end at
+/// these are split, and the faces that touch these are removed.
 Status LayoutDrawing::TraceClear(const LayoutSector& from, const LayoutSector& to,
   const ProgressCallback& progress, SurfacePath& path) const
 {
@@ -339,7 +340,7 @@ Status LayoutDrawing::TraceClear(const LayoutSector& from, const LayoutSector& t
       cuts.insert(std::minmax(split.Origin(h), split.Destination(h)));
     }
   }
-  // Twice, so that the middle half of an edge between two obstacles remains as a passage.
+  // Split twice, so that the middle half of an edge between two obstacles remains as a passage.
   for (int round = 0; round < 2; ++round)
   {
     std::vector<char> isSplit(split.Triangles.size(), 0);

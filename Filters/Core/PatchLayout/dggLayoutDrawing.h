@@ -38,8 +38,8 @@ public:
   Status Survey(const ProgressCallback& progress, std::vector<double>& lengths,
     std::vector<EdgeOrder>& orders) const;
 
-  /// Draws an edge between its neighbors in the order around its landmarks; if the order is
-  /// unknown, anywhere, and the order is updated.
+  /// Draws an edge between its neighbors in the order around its landmarks. If the order is
+  /// unknown, the edge is drawn anywhere, and the order is updated.
   Status Draw(Id edge, std::vector<EdgeOrder>& orders, const ProgressCallback& progress);
 
   /// Finds all sectors, and the Euler characteristic of each part; a disk has 1.

@@ -126,7 +126,7 @@ Status LayoutOrder::AddEdges(const PatchLayout& layout, Id numberOfLandmarks)
 }
 
 /// Finds the orders from the corners of the patches: counter-clockwise, the side that leaves a
-/// landmark is followed by the one that arrives there.
+/// landmark is followed by the side that arrives at the landmark.
 void LayoutOrder::FindOrders(const PatchLayout& layout, Id numberOfLandmarks)
 {
   std::vector<std::vector<Id>> around(numberOfLandmarks);
@@ -152,7 +152,7 @@ void LayoutOrder::FindOrders(const PatchLayout& layout, Id numberOfLandmarks)
     {
       continue;
     }
-    // Start behind a gap, if there is one.
+    // If the order has a gap, start with the edge after the gap.
     EdgeOrder& order = this->Orders[l];
     Id first = around[l][0];
     for (const Id e : around[l])

@@ -68,7 +68,7 @@ struct DrawnSurface
   SubMesh Refined;
   std::vector<Id> DrawnEdges; ///< edges of the layout, in the order of their curves
   std::vector<char> IsDrawn;  ///< per edge of the layout
-  SubMesh Opened;             ///< cut open along all of them
+  SubMesh Opened;             ///< cut open along all curves
   SurfaceMesh OpenedMesh;
 };
 
@@ -80,7 +80,7 @@ std::vector<LayoutSector> FindSectors(
 std::vector<LayoutSector> FindAllowedSectors(const std::vector<LayoutSector>& sectors,
   const DrawnSurface& surface, Id landmark, const EdgeOrder& order, Id edge);
 
-/// Inserts a new edge, in its sector at a landmark, among those drawn before.
+/// Inserts a new edge, in its sector at a landmark, among the edges drawn before.
 void InsertIntoOrder(EdgeOrder& order, const LayoutSector& sector, Id edge);
 }
 

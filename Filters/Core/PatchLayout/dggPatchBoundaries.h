@@ -50,9 +50,9 @@ struct PatchBoundaries
 /// is a disk on both. The approach follows Praun, Sweldens and Schroeder, "Consistent mesh
 /// parameterizations", 2001: curves are traced one by one, short ones first, the curves of a
 /// spanning tree before all others, so that nothing is separated too early, and each starts and
-/// ends in the sector of its landmarks that the order requires. Here they are exact shortest paths
-/// on the surface cut open along the existing curves; a path that would touch one of these is
-/// traced again at a small distance from them.
+/// ends in the sector of its landmarks that the order requires. Here curves are exact shortest
+/// paths on the surface cut open along the existing curves; a path that would touch an existing
+/// curve is traced again at a small distance from all of them.
 ///
 /// The order of the curves around a landmark is that of the patches, if they determine it;
 /// otherwise it is found on the first surface and imposed on the second one. A surface may be a

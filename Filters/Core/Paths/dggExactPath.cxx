@@ -38,7 +38,7 @@ constexpr double ApexTolerance = 1e-9;
 /// Rounding error of the position of an image, relative to its distance; relevant for very short
 /// edges.
 constexpr double SlackTolerance = 1e-13;
-/// Maximum number of branches tried per face of the mesh, and its minimum.
+/// Maximum number of branches tried: this number per face of the mesh, but at least LeastBranches.
 constexpr std::size_t BranchesPerFace = 16;
 constexpr std::size_t LeastBranches = 4096;
 
@@ -374,8 +374,8 @@ bool WindowTracer::EndInSharedFace(const SurfacePoint& start, Id root)
   return true;
 }
 
-/// Last resort if the path of a window is lost among degenerate faces: ends through a corner of a
-/// face of the start, if that is equally short.
+/// Last resort if the path of a window is lost among degenerate faces: ends at a corner of a face
+/// that contains the start, if that path is equally short.
 bool WindowTracer::EndAtCorner(const SurfacePoint& start, Id& reached)
 {
   Id best = NoId;
@@ -405,8 +405,8 @@ bool WindowTracer::MayEndAt(Id vertex, double lengthSoFar) const
     (vertex == this->Root || label < this->Distance);
 }
 
-/// Returns true if the distance at a point of h, assuming that the path runs there, is consistent
-/// with the labels of the ends. It is not if the trace is wrong.
+/// Returns true if the distance at a point of h, assuming that the path runs through the point, is
+/// consistent with the labels of the ends. An inconsistency shows that the trace is wrong.
 bool WindowTracer::AgreesWithLabels(Id h, double x, double lengthSoFar) const
 {
   const double here = this->Distance - lengthSoFar;

@@ -33,11 +33,11 @@ public:
     const ProgressCallback& progress, std::vector<SurfacePath>& paths,
     double maximumDistance = Infinity);
 
-  /// Number of windows that the last call propagated; 0 if the solver failed.
+  /// Returns the number of windows that the last call propagated; 0 if the solver failed.
   std::size_t GetNumberOfWindows() const { return this->NumberOfWindows; }
 
-  /// Size in bytes of the buffers that are reused by later calls: the maximum over all calls, plus
-  /// the distances of the last one.
+  /// Returns the size in bytes of the buffers that are reused by later calls: the maximum over all
+  /// calls, plus the distances of the last call.
   std::size_t GetMemorySize() const;
 
 private:

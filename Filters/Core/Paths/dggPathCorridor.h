@@ -30,7 +30,7 @@ public:
   /// Returns true if the last call stopped the solver because it would have taken too long.
   bool IsStopped() const { return this->WasStopped; }
 
-  /// Size of the reused buffers in bytes, excluding corridors.
+  /// Returns the size of the reused buffers in bytes, excluding corridors.
   std::size_t GetMemorySize() const { return this->Selector.GetMemorySize(); }
 
 private:

@@ -23,7 +23,7 @@ struct PathFinder::Workspace
   {
   }
 
-  /// Memory of the buffers that are as large as the mesh.
+  /// Returns the size in bytes of the buffers that are as large as the mesh.
   std::size_t GetMemorySize() const
   {
     return this->Corridor.GetMemorySize() + this->Tracer.GetMemorySize();

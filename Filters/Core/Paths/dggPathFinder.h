@@ -65,8 +65,8 @@ public:
   Status Find(const SurfacePoint& from, const SurfacePoint& to, const PathOptions& options,
     FoundPath& found) const;
 
-  /// Size in bytes of the buffers that are reused for later paths, one set per thread that has
-  /// found a path. May be called after the mesh has been destroyed.
+  /// Returns the size in bytes of the buffers that are reused for later paths, one set per thread
+  /// that has found a path. May be called after the mesh has been destroyed.
   std::size_t GetMemorySize() const;
 
 private:

@@ -52,8 +52,8 @@ public:
 
   /// Returns the position of a node in one of its faces.
   GridPoint PlaceOf(Id node, Id face) const;
-  /// Returns true if two nodes lie on the same side of a face; `side` is that from corner `side` to
-  /// the next corner.
+  /// Returns true if two nodes lie on the same side of a face. `side` receives the index of this
+  /// side, which runs from corner `side` to the next corner.
   bool AreOnOneSide(Id a, Id b, Id face, int& side) const;
   /// Returns the node after a towards b along a side of a face.
   Id FindNextOnSide(Id a, Id b, Id face, int side) const;

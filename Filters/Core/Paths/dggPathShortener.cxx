@@ -9,13 +9,14 @@ namespace dgg
 {
 namespace
 {
-/// Angles that are smaller than pi by less than this are kept: the possible gain is of second
-/// order.
+/// Angles that are smaller than pi by less than this tolerance are kept, because the possible gain
+/// is of second order.
 constexpr double AngleTolerance = 1e-9;
 /// Maximum number of rounds without gain, which may occur by rounding errors.
 constexpr int MaximumIdleRounds = 8;
-/// Maximum number of rounds, each of which reroutes the strip around all bends where that is
-/// shorter. Ten or twenty are common; the limit stops paths that rounding errors keep moving.
+/// Maximum number of rounds, each of which reroutes the strip around all bends at which the path
+/// becomes shorter. Ten or twenty are common; the limit stops paths that rounding errors keep
+/// moving.
 constexpr int MaximumRounds = 10000;
 
 double AngleBetween(const Point2& a, const Point2& b)
@@ -59,8 +60,8 @@ double PathShortener::Shorten(Strip& strip)
   return length;
 }
 
-/// Reroutes the strip around the other side of every bend where the path is shorter there. Returns
-/// false if there is none.
+/// Reroutes the strip around the other side of every bend at which the path becomes shorter.
+/// Returns false if there is no such bend.
 bool PathShortener::Reroute(Strip& strip)
 {
   this->Crossings.clear();
@@ -119,7 +120,7 @@ double PathShortener::AngleInStrip(
 }
 
 /// Returns true if a path that bends around a vertex becomes shorter on its other side; `detour`
-/// receives the crossings there.
+/// receives the crossings on that side.
 bool PathShortener::IsShorterBehind(const Strip& strip, const Corner& corner, const Point2& before,
   const Point2& after, std::vector<EdgeCrossing>& detour) const
 {

@@ -35,7 +35,7 @@ public:
   /// starts.
   void Append(const Strip& strip, SurfacePath& path);
 
-  /// Total number of crossings of unfolded strips, which dominates the running time.
+  /// Returns the total number of crossings of unfolded strips, which dominates the running time.
   std::size_t GetWork() const { return this->Work; }
 
 private:

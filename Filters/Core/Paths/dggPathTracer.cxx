@@ -16,12 +16,12 @@ namespace dgg
 {
 namespace
 {
-/// Half the opening angle of a cone, radians. Floats below 8 have a rounding error of 2.4e-7, those
-/// below 32 (saddles of five turns) of 1e-6.
+/// Half the opening angle of a cone, radians. Floats below 8 have a rounding error of 2.4e-7,
+/// floats below 32 (saddles of five turns) of 1e-6.
 constexpr double HalfWidths[] = { 1.5e-6, 1e-4 };
 constexpr double RefinedHalfWidth = 1e-12;
-/// Lengths are floats as well; tiny ones next to long edges have the rounding errors of the long
-/// edges.
+/// Tolerances of lengths, which are floats as well: relative to the length, and relative to the
+/// longest edge, because tiny edges next to long ones have the rounding errors of the long edges.
 constexpr double RelativeLength = 1e-6;
 constexpr double RelativeRounding = 1e-14;
 /// Maximum number of windows before the next face of the tail is tried; growth factor of that limit
@@ -57,8 +57,8 @@ bool GraphEdgeTracer::Trace(
   return false;
 }
 
-/// A cone that contains vertices before the head may have passed a vertex close to the line on the
-/// wrong side. Now that the direction is known exactly, the edge is traced again.
+/// Traces the edge again, now that the direction is known exactly: a cone that contains vertices
+/// before the head may have passed a vertex close to the line on the wrong side.
 void GraphEdgeTracer::Refine(
   const GraphEdge& edge, Id& firstFace, std::vector<EdgeCrossing>& crossings)
 {

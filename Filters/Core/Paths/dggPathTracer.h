@@ -44,7 +44,7 @@ public:
   /// Returns the tolerance between lengths in the graph and on the mesh.
   double GetTolerance(double length) const;
 
-  /// Number of windows that were processed in the last call.
+  /// Returns the number of windows that were processed in the last call.
   std::size_t GetNumberOfBeams() const { return this->NumberOfBeams; }
 
 private:
@@ -101,10 +101,10 @@ public:
   void Append(const SurfacePath& path) { this->Chain.Append(path); }
 
   std::vector<Strip>& GetStrips() { return this->Chain.GetStrips(); }
-  /// Number of edges whose direction did not lead to their head.
+  /// Returns the number of edges whose direction did not lead to their head.
   Id GetNumberOfFallbacks() const { return this->NumberOfFallbacks; }
 
-  /// Size of the exact solver in bytes; nothing else is as large as the mesh.
+  /// Returns the size of the exact solver in bytes; nothing else is as large as the mesh.
   std::size_t GetMemorySize() const { return this->Exact ? this->Exact->GetMemorySize() : 0; }
 
 private:

@@ -11,18 +11,19 @@
 namespace dgg
 {
 /// Traces a straightest geodesic from a point (Polthier and Schmies, "Straightest geodesics on
-/// polyhedral surfaces", 1998). It is straight in every face and across edges; at an interior
-/// vertex it continues with equal angles on both sides. It stops at the boundary, including
-/// boundary vertices. At a non-manifold edge it continues into the next face in the list of the
-/// edge.
+/// polyhedral surfaces", 1998). The geodesic is straight in every face and across edges; at an
+/// interior vertex it continues with equal angles on both sides. It stops at the boundary,
+/// including boundary vertices. At a non-manifold edge it continues into the next face in the list
+/// of the edge.
 ///
 /// The direction is an angle in radians: at a vertex the polar angle of SurfaceMesh::PolarAngle(),
 /// elsewhere the angle in the frame of the first half-edge of the point's face, 3 * Face. From a
-/// point on an edge it may lead out of that face.
+/// point on an edge the direction may lead out of that face.
 ///
-/// The path ends after `length`, or earlier where it had to stop (see its Length). It has a single
-/// point if the length is 0 or the direction leads nowhere. Fails if the point does not exist, the
-/// angle is not finite, or the length is negative or not finite; then the path is empty.
+/// The path ends after `length`, or earlier if the geodesic stops (see SurfacePath::Length). The
+/// path has a single point if the length is 0 or the direction leads nowhere. Fails if the point
+/// does not exist, the angle is not finite, or the length is negative or not finite; then the path
+/// is empty.
 ///
 /// The path also ends after crossing a million edges.
 DGG_CORE_EXPORT Status WalkStraight(const SurfaceMesh& mesh, const SurfacePoint& start,

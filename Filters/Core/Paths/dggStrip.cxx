@@ -102,7 +102,7 @@ double FindTurn(const SurfaceMesh& mesh, Id c, const TurnEnd& from, const TurnEn
     });
   };
   const auto corner = [&](Id face) { return mesh.CornerAngle(HalfEdgeFrom(mesh, face, c)); };
-  /// The angle in the last face if entered through its half-edge e.
+  /// Returns the angle in the last face if this face is entered through its half-edge e.
   const auto inLast = [&](Id e) {
     return e == to.HalfEdge ? to.Angle : std::max(0.0, corner(to.Face) - to.Angle);
   };

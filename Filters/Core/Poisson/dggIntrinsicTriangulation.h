@@ -28,7 +28,7 @@ public:
 
   Id Origin(Id h) const { return this->Origins[h]; }
   Id Destination(Id h) const { return this->Origins[SurfaceMesh::Next(h)]; }
-  /// Next half-edge in the circular list of the edge; NoId on the boundary.
+  /// Returns the next half-edge in the circular list of the edge; NoId on the boundary.
   Id Twin(Id h) const { return this->Twins[h]; }
   double Length(Id h) const { return this->Lengths[h]; }
 
@@ -38,7 +38,7 @@ public:
   /// axis.
   Point2 Apex(Id face) const;
 
-  /// Cotangent of the corner at the origin of the half-edge, inside its face. Accurate for slivers.
+  /// Returns the cotangent of the corner at the origin of the half-edge. Accurate for slivers.
   double Cotangent(Id h) const;
   double Area(Id face) const;
 

@@ -95,14 +95,14 @@ public:
   Status SolveBiLaplace(std::vector<std::vector<double>>& columns) const;
   /// Fails if the size differs from the number of vertices, or a value is not finite.
   Status CheckNumbers(const std::vector<double>& values) const;
-  /// Fails if Solve() would.
+  /// Fails if Solve() would fail for these values.
   Status CheckValues(const std::vector<double>& values) const;
 
   const SurfaceMesh& GetMesh() const;
   const PoissonOptions& GetOptions() const;
-  /// Per vertex, a third of the areas of its faces.
+  /// Returns, per vertex, a third of the areas of its faces.
   const std::vector<double>& GetAreas() const;
-  /// Weight of a vertex in means over its component.
+  /// Returns the weight of a vertex in means over its component.
   double GetWeight(Id v) const;
   /// Returns true if the value of a vertex is given.
   bool IsFixed(Id v) const;
@@ -114,11 +114,11 @@ public:
   /// whose triangles are too thin.
   Status CheckPole(const SurfacePoint& point) const;
 
-  /// Number of factorizations so far, for tests.
+  /// Returns the number of factorizations so far, for tests.
   int GetNumberOfFactorizations() const;
   Offset GetNumberOfFactorEntries() const;
 
-  /// For the kernel.
+  /// Returns the factorized system; only used by other classes of the kernel.
   const PoissonSystem& GetSystem() const { return *this->System; }
 
 private:

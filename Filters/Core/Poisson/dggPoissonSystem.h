@@ -24,9 +24,9 @@ namespace dgg
 /// In a component without given values, the kernel of L consists of the constants. There b is
 /// balanced: its sum is subtracted in proportion to the weights w. One value is fixed at 0, the
 /// others are solved for, and the weighted mean of the solution is shifted to 0. With P = I - 1
-/// w^T, w summing to 1, that is P L^+ P^T, which is symmetric. Components (through edges and shared
-/// vertices) are independent of each other. Any triangle complex is accepted; orientation is
-/// irrelevant.
+/// w^T, w summing to 1, the solution is P L^+ P^T b, whose operator is symmetric. Components
+/// (through edges and shared vertices) are independent of each other. Any triangle complex is
+/// accepted; orientation is irrelevant.
 class PoissonSystem : public LaplaceSystem
 {
 public:
@@ -38,7 +38,7 @@ public:
 
   /// Computes the triangulation, the matrices and the elimination order.
   Status Analyze(const PoissonOptions& options, const ProgressCallback& progress);
-  /// After Analyze().
+  /// Factorizes the system. To be called after Analyze().
   Status Factorize(const ProgressCallback& progress = {});
   /// Increases whenever changed options modify the matrix or the weights, which invalidates derived
   /// data.
@@ -61,15 +61,15 @@ public:
   {
     return this->Components[IsVertex(point) ? point.Vertex : this->Mesh.Origin(3 * point.Face)];
   }
-  /// A third of the areas of the faces around a vertex.
+  /// Returns, per vertex, a third of the areas of its faces.
   const std::vector<double>& GetAreas() const { return this->Areas; }
   double GetArea(Id v) const { return this->Areas[v]; }
-  /// Weight of the vertex in means over its component.
+  /// Returns the weight of the vertex in means over its component.
   double GetWeight(Id v) const { return this->Weights[v]; }
   double GetComponentArea(Id c) const { return this->ComponentAreas[c]; }
   double GetMeanEdge(Id c) const { return this->MeanEdges[c]; }
-  /// Area-weighted mean of the longest sides of triangles: larger than the mean edge if many small
-  /// triangles occur beside large ones, as on CAD models.
+  /// Returns the area-weighted mean of the longest sides of triangles: larger than the mean edge if
+  /// many small triangles occur beside large ones, as on CAD models.
   double GetMeanLongestSide(Id c) const { return this->MeanLongestSides[c]; }
   bool HasBoundary(Id c) const { return this->ComponentHasBoundary[c] != 0; }
   /// Returns true if the value of the vertex is given.
@@ -117,7 +117,7 @@ public:
   /// size. To be called after Analyze().
   double GetEstimatedMemory() const;
   Offset GetNumberOfFactorEntries() const { return this->Order.GetNumberOfFactorEntries(); }
-  /// Number of factorizations so far, for tests.
+  /// Returns the number of factorizations so far, for tests.
   int GetNumberOfFactorizations() const { return this->NumberOfFactorizations; }
 
 private:

@@ -24,8 +24,8 @@ public:
   /// Computes the order from a symmetric matrix with both triangles stored.
   explicit EliminationOrder(const Eigen::SparseMatrix<double>& matrix);
 
-  /// Number of off-diagonal entries of a factor (Liu, "The role of elimination trees in sparse
-  /// factorization", 1990).
+  /// Returns the number of off-diagonal entries of a factor (Liu, "The role of elimination trees in
+  /// sparse factorization", 1990).
   Offset GetNumberOfFactorEntries() const { return this->FactorEntries; }
   /// Returns the peak memory in bytes while a factor is computed.
   double EstimateFactorMemory() const;

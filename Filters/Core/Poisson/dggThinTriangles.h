@@ -19,9 +19,9 @@ class PoissonSystem;
 /// component: the maximum of the following two.
 /// - The fraction of energy in softened triangles (PoissonSystem::LargestCotangent), weighted by
 ///   the degree of softening. A few thin triangles have almost no energy, as the values at their
-///   ends agree; if a surface is thin everywhere, they have all of it.
+///   ends agree; if a surface is thin everywhere, thin triangles have all of the energy.
 /// - The change of the solution if diagonal entries of the matrix change in their last bit. The sum
-///   of conductances around a vertex loses those that are 1e16 times smaller than others.
+///   of conductances around a vertex loses conductances that are 1e16 times smaller than others.
 std::vector<double> MeasureThinTriangles(const PoissonSystem& system);
 
 /// Flags the components with an error of more than 1 %. Fails if the area-weighted mean of the

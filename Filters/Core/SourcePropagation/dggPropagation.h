@@ -71,7 +71,7 @@ public:
   Way SeeFrom(Id v, const PropagationLabel& label, VirtualPlace& place) const;
 
 private:
-  /// Approximate number of labels, for progress; the actual number may differ.
+  /// Returns the approximate number of labels, for progress; the actual number may differ.
   double CountExpected() const;
   /// Returns the largest number of labels to propagate.
   std::size_t MaximumCount() const;

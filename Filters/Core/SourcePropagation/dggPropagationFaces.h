@@ -44,14 +44,14 @@ public:
 
   const PropagationFace& operator[](Id f) const { return this->Faces[f]; }
   double GetUnit() const { return this->Unit; }
-  /// Returns true if paths can bend somewhere. If not, as in the plane, a source that appears to be
-  /// too early is merely earlier than others.
+  /// Returns true if paths can bend somewhere. Otherwise, as in the plane, there are no shadows,
+  /// and a source that reaches a vertex earlier than all others is simply nearer.
   bool HasShadows() const { return this->IsAnyBend; }
 
-  /// Number of hubs, where a label continues into many faces: irregular vertices and edges with
-  /// many faces.
+  /// Returns the number of hubs, where a label continues into many faces: irregular vertices and
+  /// edges with many faces.
   Id GetNumberOfHubs() const { return this->NumberOfHubs; }
-  /// Number of vertex hubs, which come first.
+  /// Returns the number of vertex hubs, which come first.
   Id GetNumberOfVertexHubs() const { return this->NumberOfVertexHubs; }
   /// Returns the hub of a vertex, or NoId.
   Id GetHub(Id v) const { return this->VertexHubs.empty() ? NoId : this->VertexHubs[v]; }

@@ -137,8 +137,8 @@ DGG_INLINE void UnfoldTo(int side, PropagationLabel& label, const PropagationFac
 }
 
 /// Tolerance by which a source may reach the end of an edge earlier than any path found so far,
-/// relative to the edge length. Paths that are found later are shorter by less than that; shadows
-/// cause larger differences.
+/// relative to the edge length. Paths that are found later are shorter by less than the tolerance;
+/// shadows cause larger differences.
 constexpr float ShadowTolerance = 0.05F;
 
 /// Moves a source so that it does not reach an end of the axis earlier than the distance known so

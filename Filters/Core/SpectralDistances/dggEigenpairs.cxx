@@ -76,10 +76,10 @@ public:
     this->Scale = this->Roots.squaredNorm() > 0.0 ? 1.0 / this->Roots.squaredNorm() : 1.0;
   }
 
-  /// Number of non-zero eigenvalues, and multiplicity of 0.
+  /// Return the number of non-zero eigenvalues, and the multiplicity of 0.
   Id GetRank() const { return this->Rank; }
   Id GetNullity() const { return this->Nullity; }
-  /// Factor by which eigenvalues of the inverse are scaled.
+  /// Returns the factor by which eigenvalues of the inverse are scaled.
   double GetScale() const { return this->Scale; }
   const Eigen::VectorXd& GetRoots() const { return this->Roots; }
 

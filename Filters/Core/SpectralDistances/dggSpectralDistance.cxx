@@ -203,8 +203,8 @@ std::vector<double> SpectralDistance::PotentialOf(const SurfacePoint& point) con
   return values;
 }
 
-/// Returns the Green's function of one point at another from the potentials of both. `load` is that
-/// of a.
+/// Returns the Green's function of one point at another from the potentials of both. `load` is the
+/// load of a.
 double SpectralDistance::Product(
   const std::vector<double>& load, const std::vector<double>& a, const std::vector<double>& b) const
 {
@@ -433,7 +433,7 @@ Status SpectralDistance::Between(const std::vector<SurfacePoint>& first,
   return status;
 }
 
-/// Number of values per solve: the entries of the factor, which is traversed twice.
+/// Returns the number of values per solve: the entries of the factor, which is traversed twice.
 double SpectralDistance::GetNumbersOfSolve() const
 {
   return 2.0 * static_cast<double>(this->Solver.GetSystem().GetNumberOfFactorEntries());

@@ -103,13 +103,13 @@ public:
     return CheckPreparedSites(this->System, this->Sites.size(), this->Revision);
   }
 
-  /// Share of a vertex in the source of its cell.
+  /// Returns the share of a vertex in the source of its cell.
   double ShareOf(Id v) const
   {
     return this->System.GetWeight(v) / this->Cells.Weights[this->Cells.Cells[v]];
   }
 
-  /// Mean of a basis function; 0 where values are given.
+  /// Returns the mean of a basis function; 0 where values are given.
   double MeanOf(Id site) const
   {
     return this->System.IsFree(this->Cells.Components[site]) ? this->Cells.Weights[site] : 0.0;

@@ -58,7 +58,7 @@ public:
   Status Prepare(
     const std::vector<Id>& sites, const ParallelFor& parallel, const ProgressCallback& progress);
 
-  /// Per vertex, the index of its site; NoId with given values or without a face.
+  /// Returns, per vertex, the index of its site; NoId with given values or without a face.
   const std::vector<Id>& GetCells() const;
 
   /// Receives a function per vertex. The array is only valid during the call. Called in any order,

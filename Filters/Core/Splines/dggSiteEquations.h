@@ -15,8 +15,9 @@
 
 namespace dgg
 {
-/// sum_j lambda_j f_j(x_i) = v_i for sites x_i and equally many functions f_j, which are linear in
-/// faces. In a component without given values, the functions of its sites span the constants.
+/// The equations sum_j lambda_j f_j(x_i) = v_i for sites x_i and equally many functions f_j, which
+/// are linear in faces. In a component without given values, the functions of its sites span the
+/// constants.
 class SiteEquations
 {
 public:

@@ -148,8 +148,8 @@ Status ChooseSplineSites(
   }
   const auto part = [&](double begin, double end) { return ProgressPart(progress, begin, end); };
   DGG_RETURN_IF_ERROR(given.empty() ? Status::Success() : points.Add(given, part(0.0, GivenDone)));
-  // One site in each component first; farther vertices of other components might precede them
-  // otherwise.
+  // Choose one site in each component first; otherwise farther vertices of other components might
+  // come before.
   std::vector<Id> found = FindFarthest(system, points.GetDistances());
   const Id wanted = std::max(count, static_cast<Id>(found.size()));
   const std::size_t first = found.size();

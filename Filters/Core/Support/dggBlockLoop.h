@@ -51,11 +51,11 @@ private:
   std::atomic<bool> IsStopped{ false };
 };
 
-/// Calls `step(worker, block, begin, end, progress)` for all blocks of `size` elements, several at
-/// once. A step returns a Status, or nothing; one that is soon done need not take the progress.
-/// Blocks that follow each other in a thread share what `makeWorker` returns, so that its memory is
-/// used again; results must not depend on which these are. Returns the error of the first block
-/// that has one. `progress` goes from 0 to 1.
+/// Calls `step(worker, block, begin, end, progress)` for all blocks of `size` elements, several of
+/// them simultaneously. A step returns a Status; short steps may omit the progress argument and
+/// return nothing. Each thread makes one worker by `makeWorker` and reuses it for all of its
+/// blocks; results must not depend on which blocks these are. Returns the error of the first block
+/// that fails. `progress` runs from 0 to 1.
 template <typename MakeWorker, typename Step>
 Status ForBlocks(Offset count, Offset size, const ParallelFor& parallel,
   const ProgressCallback& progress, MakeWorker&& makeWorker, Step&& step)
@@ -64,7 +64,7 @@ Status ForBlocks(Offset count, Offset size, const ParallelFor& parallel,
   std::vector<Status> outcomes(static_cast<std::size_t>(blocks));
   std::atomic<Offset> failed{ blocks }; // the first block that is known to have an error
   SharedProgress shared(progress, blocks);
-  // Threads take one block after the other, whatever ranges they are given: one worker for each.
+  // Each thread takes one block after the other, regardless of its range, with a single worker.
   std::atomic<Offset> next{ 0 };
   ForRange(parallel, blocks, 1, [&](Offset, Offset) {
     Offset b = next++;
@@ -111,7 +111,7 @@ Status ForBlocks(Offset count, Offset size, const ParallelFor& parallel,
   return progress && !progress(1.0) ? Status::Abort() : Status::Success();
 }
 
-/// The same for a step that needs no worker.
+/// Runs ForBlocks() with a step that needs no worker.
 template <typename Step>
 Status ForBlocks(Offset count, Offset size, const ParallelFor& parallel,
   const ProgressCallback& progress, Step&& step)
@@ -126,8 +126,8 @@ Status ForBlocks(Offset count, Offset size, const ParallelFor& parallel,
     });
 }
 
-/// Calls step(i, progress) for i in [0, count), in blocks of `grain`. Progress of a step, from 0 to
-/// 1, makes sense where `grain` is 1. Returns the error with the smallest i.
+/// Calls step(i, progress) for i in [0, count), in blocks of `grain`. The progress of a step, from
+/// 0 to 1, is only meaningful if `grain` is 1. Returns the error with the smallest i.
 template <typename Step>
 Status ForEach(std::size_t count, std::size_t grain, const ParallelFor& parallel,
   const ProgressCallback& progress, Step&& step)

@@ -14,7 +14,7 @@ namespace dgg
 {
 /// Runs `body(begin, end)` over disjoint ranges of about `grain` elements that cover [0, size),
 /// possibly in parallel. The calling thread runs the range that begins at 0, without waiting for
-/// others before; exceptions of that range are forwarded to the caller after the loop. An empty
+/// other ranges; exceptions of that range are forwarded to the caller after the loop. An empty
 /// function means sequential execution. Results never depend on it.
 using ParallelFor =
   std::function<void(Offset size, Offset grain, const std::function<void(Offset, Offset)>& body)>;

@@ -60,7 +60,7 @@ public:
       *this, workspace ? std::move(workspace) : std::make_unique<Workspace>(arguments...));
   }
 
-  /// Size in bytes of the idle workspaces.
+  /// Returns the size in bytes of the idle workspaces.
   std::size_t GetMemorySize() const
   {
     const std::lock_guard<std::mutex> lock(this->Mutex);

@@ -36,7 +36,7 @@ public:
   /// Checks a pair of a cell id and coordinates in the cell.
   Status Check(double cell, const Coordinates& coordinates) const;
 
-  /// Position in space of a pair that Check() accepts.
+  /// Returns the position in space of a pair that Check() accepts.
   Coordinates GetPosition(Offset cell, const Coordinates& coordinates) const;
 
   /// Returns true if a pair that Check() accepts is at a position, up to the distances by which
@@ -48,7 +48,7 @@ public:
   /// face for the cell, because the cell has no area.
   bool FindPoint(Offset cell, const Coordinates& coordinates, SurfacePoint& point) const;
 
-  /// Coordinates in the cell of a face, which is a triangle, of a point in or around the face.
+  /// Returns the coordinates in the cell of a face, a triangle, of a point in or around the face.
   Coordinates GetCoordinates(const SurfacePoint& point, Id face) const;
 
 private:

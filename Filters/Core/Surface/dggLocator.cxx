@@ -14,7 +14,7 @@ namespace dgg
 {
 namespace
 {
-/// In units in the last place of the largest coordinate.
+/// Rounding error of positions, in units in the last place of the largest coordinate.
 constexpr double UnitsOfRounding = 8.0;
 
 /// Number of neighbors that define the reach of a cloud around a point.

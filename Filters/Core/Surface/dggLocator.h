@@ -26,7 +26,7 @@ public:
   virtual bool FindClosestPoint(
     const double position[3], SurfacePoint& closest, double& distance) const = 0;
 
-  /// Diagonal of the bounding box.
+  /// Returns the diagonal of the bounding box.
   virtual double GetDiagonal() const = 0;
 
   /// Returns true if a position at this distance from its closest point counts as a point of the
@@ -82,7 +82,7 @@ public:
   bool FindClosestPoint(
     const double position[3], SurfacePoint& closest, double& distance) const override;
 
-  /// Diagonal of the bounding box of the finite points without outliers.
+  /// Returns the diagonal of the bounding box of the finite points without outliers.
   double GetDiagonal() const override { return this->Frame.GetDiagonal(); }
 
   /// Returns true if the distance is at most `farthest` or the reach of the closest point.

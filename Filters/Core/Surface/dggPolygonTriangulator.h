@@ -40,7 +40,7 @@ public:
   /// than three points are distinct.
   Id Triangulate(const std::vector<Id>& polygon, std::vector<Id>& triangles);
 
-  /// Number of polygons that have become fans.
+  /// Returns the number of polygons that have become fans.
   Offset GetNumberOfFans() const { return this->NumberOfFans; }
 
 private:

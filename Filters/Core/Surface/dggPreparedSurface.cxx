@@ -23,7 +23,7 @@ namespace dgg
 namespace
 {
 /// Parts of a surface that are closer to each other than this fraction of the diagonal of the
-/// bounding box are probably meant to be one.
+/// bounding box are probably meant to be connected.
 constexpr double SuspectGap = 1e-6;
 
 /// Largest spacing of coordinates in single precision, in mean edge lengths, without a warning.

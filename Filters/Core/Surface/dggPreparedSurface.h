@@ -41,7 +41,7 @@ struct SurfaceArrays
   bool AreFromFloats = false; ///< the points were stored in single precision
 };
 
-/// Selects what distances are measured along.
+/// Selects the elements along which distances are measured.
 struct Domain
 {
   enum KindType
@@ -73,19 +73,19 @@ struct ReportItem
 /// with the same id. Polygons and strips are triangulated. The mesh of a cloud has no faces; a
 /// graph connects its points.
 ///
-/// It is immutable, so that tasks on the same surface share it, from any thread: in a chain of
-/// filters the surface is prepared once, and so are the parts that are made on demand.
+/// A prepared surface is immutable, so that tasks on the same surface share it, from any thread. In
+/// a chain of filters the surface, and its parts that are made on demand, are prepared once.
 class DGG_CORE_EXPORT PreparedSurface : public std::enable_shared_from_this<PreparedSurface>
 {
 public:
   using Pointer = std::shared_ptr<const PreparedSurface>;
 
-  /// An empty surface. Use Make() for others.
+  /// Constructs an empty surface. Use Make() for other surfaces.
   PreparedSurface();
   ~PreparedSurface();
 
-  /// Returns 128 bits that identify the domain, its points and its cells. Equal ones give equal
-  /// surfaces. Costs much less than Make().
+  /// Returns 128 bits that identify the domain, its points and its cells. Equal fingerprints give
+  /// equal surfaces. Costs much less than Make().
   static Signature ComputeFingerprint(const SurfaceArrays& input, const Domain& domain);
 
   /// Makes a surface, or returns the one in use with this fingerprint. Fails with a message that
@@ -101,7 +101,7 @@ public:
   /// Returns the mesh for callers that need no angles: see SurfaceMesh::FromPointsWithoutAngles().
   const SurfaceMesh& GetMeshWithoutAngles() const { return this->Mesh; }
   ///@{
-  /// Computed at the first call.
+  /// Returns the report on the mesh, computed at the first call.
   const MeshReport& GetReport() const;
   double GetMeanAnisotropy() const; ///< see MeasureMeanAnisotropy()
   const Locator& GetLocator() const;
@@ -109,13 +109,13 @@ public:
   /// Returns size, defects and quality of the surface. An empty surface has zeros, and is
   /// orientable.
   std::vector<ReportItem> ListReport() const;
-  /// Coordinates x y z per vertex.
+  /// Returns the coordinates x y z per vertex.
   const double* GetPositions() const { return this->Positions.data(); }
-  /// Signature of the points and triangles.
+  /// Returns the signature of the points and triangles.
   const Signature& GetSignature() const { return this->MeshSignature; }
   const Domain& GetDomain() const { return this->InputDomain; }
   bool IsCloud() const { return this->InputDomain.Kind == Domain::Cloud; }
-  /// Unique number of this surface in the process; 0 for an empty surface.
+  /// Returns a unique number of this surface in the process; 0 for an empty surface.
   std::uint64_t GetBuildNumber() const { return this->BuildNumber; }
 
   /// Returns the vertex that represents a point of the input.
@@ -128,23 +128,23 @@ public:
   /// Returns the faces in a cell of the input; none for an excluded cell.
   std::vector<Id> GetFaces(Offset cell) const;
 
-  /// Number of polygons excluded because fewer than three of their points are distinct.
+  /// Returns the number of polygons excluded because fewer than three of their points are distinct.
   Offset GetNumberOfDroppedCells() const { return this->NumberOfDroppedCells; }
-  /// Largest height of excluded triangles without area, model units.
+  /// Returns the largest height of excluded triangles without area, model units.
   double GetLargestCapHeight() const { return this->Caps.LargestHeight; }
-  /// Number of points that share the vertex of an earlier point.
+  /// Returns the number of points that share the vertex of an earlier point.
   Offset GetNumberOfMergedPoints() const { return this->NumberOfMergedPoints; }
-  /// Number of points without a face.
+  /// Returns the number of points without a face.
   Offset GetNumberOfIsolatedPoints() const
   {
     return this->GetReport().IsolatedVertices - this->NumberOfMergedPoints;
   }
-  /// Number of boundary points with exactly the coordinates of another boundary point.
+  /// Returns the number of boundary points with exactly the coordinates of another boundary point.
   Offset GetNumberOfCoincidentBoundaryPoints() const
   {
     return this->NumberOfCoincidentBoundaryPoints;
   }
-  /// Warnings about the mesh, one topic each.
+  /// Returns the warnings about the mesh, one topic each.
   const std::vector<std::string>& GetWarnings() const { return this->Warnings; }
 
   /// Returns a warning if most of the surface is not connected with a vertex that is reached,

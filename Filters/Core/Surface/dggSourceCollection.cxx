@@ -65,7 +65,7 @@ SourceCollection::Position SourceCollection::GetPosition(std::size_t i) const
 }
 
 //------------------------------------------------------------------------------
-/// "Source 3", or "End of pair 1"
+/// Returns a name such as "Source 3" or "End of pair 1".
 std::string SourceCollection::Describe(std::size_t i) const
 {
   const std::size_t end = this->Ids.size() + i;
@@ -75,7 +75,7 @@ std::string SourceCollection::Describe(std::size_t i) const
 }
 
 //------------------------------------------------------------------------------
-/// "Source 3, at (x, y, z),"
+/// Returns a name such as "Source 3, at (x, y, z),".
 std::string SourceCollection::DescribeWithPosition(std::size_t i) const
 {
   const Position p = this->GetPosition(i);

@@ -21,13 +21,13 @@ class CellCoordinates;
 /// surface coincide, in this order:
 ///  - `Cells` and `Barycentric` together: a triangle of the input and coordinates with respect to
 ///    its corners. The position is ignored;
-///  - `OriginalIds`: a point of the input, if the position is there.
-/// If all three are present, the first two count only if the position is there: they may belong to
-/// another surface. Other positions are moved to the closest point of the surface.
+///  - `OriginalIds`: a point of the input, if the position is that of the point.
+/// If all three are present, the first two count only if they are at the position: they may belong
+/// to another surface. Other positions are moved to the closest point of the surface.
 struct DGG_CORE_EXPORT SourceCollection
 {
   ///@{
-  /// Words of messages.
+  /// Wording of messages.
   std::string Role;              ///< name of a point, such as "source"
   std::string Property;          ///< property of ids; empty if there is none
   int Port = 1;                  ///< input port of the positions
@@ -52,9 +52,9 @@ struct DGG_CORE_EXPORT SourceCollection
 
   /// Locates the points on the surface, or near the points of a cloud. Fails if there is no point,
   /// an id is out of range, a coordinate or an initial distance is not finite, or a position is too
-  /// far away. `input` has the cells that the surface was made from; unused without
-  /// Barycentric. `tolerance` is the largest distance of a position from the surface, as a fraction
-  /// of the diagonal. Positions between the points of a cloud sparser than that are accepted too.
+  /// far away. `input` has the cells that the surface was made from; unused without Barycentric.
+  /// `tolerance` is the largest distance of a position from the surface, as a fraction of the
+  /// diagonal. Positions between the points of a sparser cloud are accepted as well.
   Status Locate(const SurfaceArrays& input, const PreparedSurface& surface, double tolerance,
     std::vector<GeodesicSource>& sources) const;
 

@@ -67,9 +67,9 @@ DGG_CORE_EXPORT void WriteDistances(const PreparedSurface& surface, const Distan
 /// Returns the name of the array that marks the unreached points of distances.
 DGG_CORE_EXPORT std::string GetUnreachedName(const std::string& distances);
 
-/// Adds an array of distances, with `unreachedValue` in place of Infinity. Any other number than
-/// NaN and plus infinity could be a distance, therefore the array of GetUnreachedName()
-/// (std::uint8_t: 1 at unreached points, else 0) is added if there are such values.
+/// Adds an array of distances, with `unreachedValue` in place of Infinity. Since any number except
+/// NaN and plus infinity could be a distance, such a value at unreached points adds the array of
+/// GetUnreachedName() (std::uint8_t: 1 at unreached points, else 0).
 DGG_CORE_EXPORT void AddDistances(const std::string& name, const std::vector<double>& distances,
   double unreachedValue, OutputArrays& arrays);
 }

@@ -42,7 +42,7 @@ public:
   /// Fits virtual sources to the distances unless there are windows or virtual sources.
   Status Complete(const TaskContext& context, const ProgressCallback& progress);
 
-  /// Valid as long as this object exists.
+  /// Returns the field, which is valid as long as this object exists.
   const DistanceField& GetField() const { return this->Field; }
   /// Returns the smallest and the largest distance; Infinity and -Infinity if no point is reached.
   std::array<double, 2> FindRange() const;

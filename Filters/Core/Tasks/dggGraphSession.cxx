@@ -25,7 +25,7 @@ constexpr double BuildShare = 0.9;
 constexpr double LinkShare = 0.5;
 constexpr double LandmarkShare = 0.3;
 
-/// Number of pairs whose searches landmarks speed up by as much as landmarks cost.
+/// Number of pairs from which on landmarks save more time than they cost.
 constexpr std::size_t FewestPairsForLandmarks = 256;
 
 /// Estimated bytes per vertex of a path finder and of a search result.
@@ -90,7 +90,7 @@ Status GraphSession::Build(const TaskContext& context, GraphOptions options, Geo
   {
     return BuildGraph(context, *this->Builder, options, graph, estimate);
   }
-  // Not kept before a second use: its memory is as large as the mesh.
+  // Only kept from the second use on, because a builder takes as much memory as the mesh.
   const GraphBuilder temporary(context.Surface.GetMesh());
   return BuildGraph(context, temporary, options, graph, estimate);
 }

@@ -32,7 +32,7 @@ public:
   };
 
   ///@{
-  /// Result of a source; there are none after Forget() and after a failure.
+  /// Returns the result of a source; there is none after Forget() or a failure.
   UsedMethod GetUsed(Offset source) const
   {
     const bool exists = source >= 0 && source < static_cast<Offset>(this->Used.size());
@@ -42,7 +42,7 @@ public:
   ///@}
 
   ///@{
-  /// Columns that are kept, and their bytes.
+  /// Return the number of columns that are kept, and their size in bytes.
   Id GetNumberOfColumns() const { return this->Columns ? this->Columns->GetNumberOfColumns() : 0; }
   std::size_t GetMemorySize() const { return this->Columns ? this->Columns->GetMemorySize() : 0; }
   ///@}

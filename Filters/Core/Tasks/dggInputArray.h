@@ -36,10 +36,10 @@ struct DGG_CORE_EXPORT InputArray
   /// Fails unless this is an array of numbers with a tuple per point and this number of components
   /// (0 for any). `where` is the name of the points' data in messages.
   Status CheckPoints(const std::string& where, Offset numberOfPoints, int components) const;
-  /// Same, and fails if there is no such array. `property` is the property with its name.
+  /// Like CheckPoints(), but fails if there is no such array. `property` contains its name.
   Status RequirePoints(const std::string& where, const std::string& property, Offset numberOfPoints,
     int components) const;
-  /// Same for one finite number per point; masses must not be negative.
+  /// Like RequirePoints(), for one finite number per point; masses must not be negative.
   Status RequireNumbers(const std::string& where, const std::string& property,
     Offset numberOfPoints, bool areMasses) const;
   /// Returns the integral of the array per vertex. `areas`, per vertex, is null if the numbers of

@@ -50,7 +50,7 @@ struct LoopSet
 /// Fails for a rope through fewer than three points.
 DGG_CORE_EXPORT Status CheckLoopOptions(const LoopOptions& options);
 
-/// Finds loops. `graph` is up to date; it is not used around handles.
+/// Finds loops. `graph` must be up to date; it is not used around handles.
 DGG_CORE_EXPORT Status FindLoops(
   const TaskContext& context, GraphSession& graph, const LoopOptions& options, LoopSet& loops);
 

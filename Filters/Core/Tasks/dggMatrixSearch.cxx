@@ -32,8 +32,8 @@ MatrixSearch::MatrixSearch(const TaskContext& context, GraphSession& graph, cons
 {
 }
 
-/// Links the points of one set. Straight paths to points of the other set, where neither point is a
-/// vertex, are entered as distances.
+/// Links the points of one set. The lengths of straight paths to points of the other set, where
+/// neither point is a vertex, are entered as distances.
 template <typename EntryType>
 Status MatrixSearch::LinkPoints(
   const Points& points, const Points& others, double end, Links& links, EntryType entry)

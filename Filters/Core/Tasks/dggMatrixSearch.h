@@ -35,14 +35,14 @@ struct MatrixEntries
 /// Finds the distances of all points of one set from all points of another set in a graph.
 ///
 /// A point that is not a vertex has links to vertices. A path between two such points uses a link
-/// of each, or is a straight one outside the graph.
+/// of each point, or is a straight path outside the graph.
 class DGG_CORE_EXPORT MatrixSearch
 {
 public:
   using Points = std::vector<SurfacePoint>;
   using Links = std::vector<std::vector<GraphLink>>; // per point
 
-  /// `graph` is up to date. All entries must be Infinity before; distances(i, j) becomes the
+  /// `graph` must be up to date, and all entries must be Infinity. distances(i, j) becomes the
   /// distance of sources[i] from targets[j], or stays Infinity if there is no path.
   MatrixSearch(const TaskContext& context, GraphSession& graph, const Points& sources,
     const Points& targets, const MatrixEntries& distances);
@@ -68,7 +68,7 @@ private:
   Links SourceLinks;
   Links TargetLinks;
   const ProgressCallback Progress;
-  double Done = 0.0; // share of the progress
+  double Done = 0.0; // progress so far
 };
 }
 

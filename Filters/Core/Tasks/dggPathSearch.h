@@ -59,7 +59,7 @@ DGG_CORE_EXPORT Status ReadPathEnds(
   const CellArrays& lines, Offset numberOfPoints, std::vector<Offset>& ends);
 
 ///@{
-/// Returns the pairs of successive points, and the total number of fallbacks of paths.
+/// Return the pairs of successive points, and the total number of fallbacks of paths.
 DGG_CORE_EXPORT PathSearch::Pairs MakePairs(const std::vector<SurfacePoint>& ends);
 DGG_CORE_EXPORT Offset CountFallbacks(const PathSearch::Paths& paths);
 ///@}

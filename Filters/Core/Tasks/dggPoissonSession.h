@@ -34,7 +34,7 @@ public:
 
   /// Returns the solver. Call Prepare() first.
   const PoissonSolver& GetSolver() const { return *this->Solver; }
-  /// Number of solvers so far. Data that refer to an earlier solver must be released.
+  /// Returns the number of solvers so far. Data that refer to an earlier solver must be released.
   int GetSolverNumber() const { return this->SolverNumber; }
 
   int GetNumberOfFactorizations() const;

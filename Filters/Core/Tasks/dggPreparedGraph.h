@@ -16,8 +16,8 @@
 
 namespace dgg
 {
-/// A stored graph with what searches in it need. It is immutable, so that tasks that search the
-/// same arrays on the same surface share it, from any thread.
+/// A stored graph with the data that searches need. The object is immutable, so that tasks that
+/// search the same arrays on the same surface share it, from any thread.
 class DGG_CORE_EXPORT PreparedGraph
 {
 public:
@@ -25,12 +25,12 @@ public:
   /// Identity of the arrays of a graph.
   using Key = std::vector<std::uintptr_t>;
 
-  /// Returns the graph in use with these arrays and this surface, or else a new one. It keeps the
-  /// surface and `owner`, which owns the arrays, alive.
+  /// Returns the graph in use with these arrays and this surface, or else a new one. The graph
+  /// keeps the surface and `owner`, which owns the arrays, alive.
   static Pointer Make(const StoredGraph& graph, const Key& key,
     const std::shared_ptr<const void>& owner, const PreparedSurface& surface);
 
-  /// Use Make().
+  /// Only called by Make().
   PreparedGraph(const StoredGraph& graph, Key key, std::shared_ptr<const void> owner,
     const PreparedSurface& surface);
 
@@ -42,9 +42,9 @@ public:
 
   const StoredGraph& GetGraph() const { return this->Graph; }
   const PreparedSurface& GetSurface() const { return *this->Surface; }
-  /// Summary of the graph; remains valid after its arrays are released.
+  /// Returns the summary of the graph, which remains valid after its arrays are released.
   const GraphSummary& GetSummary() const { return this->Summary; }
-  /// To be copied by users of landmarks.
+  /// Returns the search, which users of landmarks must copy.
   const GraphSearch& GetSearch() const { return this->Search; }
 
 private:

@@ -14,7 +14,7 @@ class GraphSession;
 struct Output;
 struct TaskContext;
 
-/// Samples the surface. `graph` is up to date. The progress of `options` is set here.
+/// Samples the surface. `graph` must be up to date. The progress of `options` is set here.
 DGG_CORE_EXPORT Status FindSamples(const TaskContext& context, GraphSession& graph,
   SamplerOptions options, std::vector<SurfaceSample>& samples);
 

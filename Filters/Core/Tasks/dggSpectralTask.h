@@ -33,7 +33,7 @@ public:
     ValueType* AtTargets;
   };
 
-  /// All must outlive this object. `outputs` are that of the points and that of the targets.
+  /// All arguments must outlive this object. `outputs` are the outputs of points and of targets.
   SpectralOutputs(const PreparedSurface& surface, std::size_t numberOfTargets, Output* outputs);
 
   /// Adds an array, unless it has no components.
@@ -77,9 +77,9 @@ public:
   std::string ResultName;
   bool WantResult = true;
 
-  /// Computes all arrays. `outputs` are that of the surface and that of the targets; the result is
-  /// the last array and the active one. Warnings belong to the first output. `remedy` is what to
-  /// do besides raising the memory limit.
+  /// Computes all arrays. `outputs` are the outputs of the surface and of the targets; the result
+  /// is the last array and the active one. Warnings belong to the first output. `remedy` is the
+  /// action besides raising the memory limit.
   Status Run(const TaskContext& context, PoissonSession& session, std::vector<SurfacePoint> sources,
     const std::vector<SurfacePoint>& targets, const std::string& remedy, Output* outputs);
 

@@ -21,7 +21,7 @@ struct TaskContext;
 
 struct VoronoiOptions
 {
-  bool IsCentroidal = false; ///< move the sites before
+  bool IsCentroidal = false; ///< move the sites first
   bool IsRefined = false;    ///< refine borders
   bool LabelsOnly = false;   ///< make neither cells nor borders
   CentroidalOptions Moving;
@@ -40,8 +40,8 @@ struct VoronoiResult
   std::vector<double> Energies; ///< one per iteration; empty unless sites are moved
 };
 
-/// Computes the diagram of the sites in `result` and moves these if requested. `graph` is up to
-/// date.
+/// Computes the diagram of the sites in `result`, and moves the sites if requested. `graph` must be
+/// up to date.
 DGG_CORE_EXPORT Status FindVoronoiCells(const TaskContext& context, GraphSession& graph,
   const VoronoiOptions& options, VoronoiResult& result);
 

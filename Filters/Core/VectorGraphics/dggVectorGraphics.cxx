@@ -167,7 +167,8 @@ double VectorGraphics::Implementation::EstimateHeld() const
     this->Loads.GetMemorySize() + this->Solver->GetEstimatedMemory();
 }
 
-/// Memory while colors are computed. A band, and its equations, may cover the entire surface.
+/// Returns the memory while colors are computed. A band, and its equations, may cover the entire
+/// surface.
 double VectorGraphics::Implementation::EstimateRun(
   const std::vector<GraphicsCurve>& curves, int channels) const
 {

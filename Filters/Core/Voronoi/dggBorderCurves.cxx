@@ -19,8 +19,8 @@ void BorderCurves::AddPiece(Id site, Id other, const std::array<Id, 2>& points)
   }
 }
 
-/// Adds borders between all cells along an edge segment: those that were added, and the owner if
-/// there are more faces.
+/// Adds borders between all cells along an edge segment: the cells of the given sides, and the
+/// owner of the segment if the edge has further faces.
 void BorderCurves::AddPiecesOfSide(const SurfaceMesh& mesh, Side begin, Side end)
 {
   std::vector<Id> sites;

@@ -43,7 +43,7 @@ public:
   void Balance(
     Id face, const std::array<Id, 3>& sites, std::array<double, 3>& place, double& distance) const;
 
-  /// Work of links where windows multiplied (see GraphBuilder::Link()), and its limit.
+  /// Return the work of links where windows multiplied (see GraphBuilder::Link()), and its limit.
   std::size_t GetWork() const { return this->Work; }
   std::size_t GetMostWork() const;
 

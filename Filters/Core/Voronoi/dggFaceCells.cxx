@@ -31,7 +31,8 @@ Coordinates Between(const Coordinates& a, const Coordinates& b, double t)
     (1.0 - t) * a[2] + t * b[2] } };
 }
 
-/// Returns the term of the squared distance that is common to all sites: minus sum b_i b_j l_ij^2.
+/// Returns the term of the squared distance that all sites have in common: minus the sum of b_i b_j
+/// l_ij^2 over i < j.
 double CommonPart(const SurfaceMesh& mesh, Id face, const Coordinates& place)
 {
   double sum = 0.0;

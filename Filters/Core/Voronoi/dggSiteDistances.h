@@ -36,14 +36,14 @@ public:
   Status Run(const GraphSearch& search, const SurfaceMesh& mesh,
     const std::vector<GraphSeed>& seeds, const ProgressCallback& progress);
 
-  /// The sites of a vertex, sorted by index; none if no site reaches the vertex.
+  /// Returns the range of the sites of a vertex, sorted by index; empty if no site reaches it.
   const Entry* Begin(Id v) const { return this->Entries.data() + this->Offsets[v]; }
   const Entry* End(Id v) const { return this->Entries.data() + this->Offsets[v + 1]; }
 
   /// Returns the nearest site of a vertex, on ties that with the smallest index; null if unreached.
   const Entry* Nearest(Id v) const;
 
-  /// True if the graph has angles.
+  /// Returns true if the graph has angles.
   bool HasVirtualSources() const { return this->HasDirections; }
 
 private:

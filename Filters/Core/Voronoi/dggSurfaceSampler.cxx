@@ -428,8 +428,8 @@ private:
     return status;
   }
 
-  /// Searches a point close to a vertex that is farther from the samples. Returns false if there is
-  /// none.
+  /// Searches for a point close to a vertex that is farther from the samples. Returns false if
+  /// there is none.
   bool FindBetter(Id v, SurfacePoint& point) const
   {
     if (!this->Mesh || !this->Graph.Angles || !(this->Farthest.Distance < Infinity) ||

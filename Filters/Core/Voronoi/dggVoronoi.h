@@ -67,14 +67,13 @@ struct VoronoiInput
 
 /// Computes the Voronoi diagram of sites. A site at the position of an earlier one has no cell.
 ///
-/// Inside a face, the squared distance from a site is computed as if the site were a point
-/// in the plane of the face: with barycentric coordinates b, sum b_i d_i^2 - sum b_i b_j l_ij^2,
-/// where d_i are the (corrected) distances at the corners and l_ij the lengths of the sides. This
-/// is exact where the surface is flat. Since the second sum is the same for all sites, borders
-/// within a face are straight lines; cf. Xin et al., "SurfaceVoronoi: efficiently computing Voronoi
-/// diagrams over mesh surfaces with arbitrary distance solvers", 2022. A cell that extends into a
-/// face without containing any of its corners is found if two of the corners belong to different
-/// cells.
+/// Inside a face, the squared distance from a site is computed as if the (corrected) distances d_i
+/// at the corners were straight-line distances from one point: with barycentric coordinates b and
+/// side lengths l_ij, sum_i b_i d_i^2 - sum_{i<j} b_i b_j l_ij^2. This is exact where the surface
+/// is flat. Since the second sum is the same for all sites, borders within a face are straight
+/// lines; cf. Xin et al., "SurfaceVoronoi: efficiently computing Voronoi diagrams over mesh
+/// surfaces with arbitrary distance solvers", 2022. A cell that extends into a face without
+/// containing any of its corners is found if two of the corners belong to different cells.
 ///
 /// Where the shortest paths from a site to the corners of a face take different routes, this is not
 /// accurate enough: in faces that are large compared to cells, and behind points where geodesics

@@ -44,18 +44,18 @@ struct Window
   bool HasScattered = false;
   bool IsKnown = false; ///< already recorded in WindowMemory
 
-  /// Distance at a point of the axis.
+  /// Returns the distance at a point of the axis.
   double DistanceAt(double x) const { return this->Sigma + DistanceToAxis(this->Image, x); }
 
-  /// Distance at a point above the axis, along a straight line.
+  /// Returns the distance at a point above the axis, along a straight line.
   double DistanceTo(const Point2& p) const
   {
     return this->Sigma + Norm(p.X - this->Image.X, p.Y - this->Image.Y);
   }
 
-  /// Distance at a point that is seen through x on the axis. If x lies beyond an end of the window,
-  /// the path bends at that end: the straight line may be shorter than any path, and a label that
-  /// is too small would trim nearby windows.
+  /// Returns the distance at a point that is seen through x on the axis. If x lies beyond an end of
+  /// the window, the path bends at that end: the straight line may be shorter than any path, and a
+  /// label that is too small would trim nearby windows.
   double DistanceThrough(double x, const Point2& p) const
   {
     const double straight = this->DistanceTo(p);
@@ -68,7 +68,7 @@ struct Window
     return bent <= straight * (1.0 + LengthTolerance) ? straight : bent;
   }
 
-  /// Smallest distance on the interval.
+  /// Returns the smallest distance on the interval.
   double MinimumDistance() const
   {
     if (this->Image.X <= this->Begin)
@@ -86,11 +86,11 @@ struct Window
     this->DistanceAtEnd = this->DistanceAt(end);
   }
 
-  /// Tolerance for interval widths on an edge of the given length. The relevant measure is the
-  /// visual angle: close to its image, a window that is narrow for its edge may reach half of the
-  /// surface. The rounding error of positions on the edge is the lower limit. Windows that have
-  /// scattered may start arbitrarily close to their image, since degenerate faces are arbitrarily
-  /// narrow, and in any number of slivers; for these the edge length is used.
+  /// Returns the tolerance for interval widths on an edge of the given length. The relevant measure
+  /// is the visual angle: close to its image, a window that is narrow for its edge may reach half
+  /// of the surface. The rounding error of positions on the edge is the lower limit. Windows that
+  /// have scattered may start arbitrarily close to their image, since degenerate faces are
+  /// arbitrarily narrow, and in any number of slivers; for these the edge length is used.
   double Tolerance(double relative, double length) const
   {
     const double scale = this->HasScattered ? length : std::min(length, -this->Image.Y);

@@ -40,9 +40,9 @@ public:
   /// Moves the windows to `windows`; to be called after Trim(). `shift` is added to distances.
   void MoveTo(EdgeWindows& windows, double shift);
 
-  /// Bytes held.
+  /// Returns the number of bytes held.
   std::size_t GetMemorySize() const;
-  /// Peak memory of the store and the result during MoveTo(), in bytes.
+  /// Returns the peak memory of the store and the result during MoveTo(), in bytes.
   std::size_t GetMemoryToMove() const;
 
 private:
