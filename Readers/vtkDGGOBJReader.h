@@ -6,7 +6,7 @@
  *
  * <b>Input and output</b>. The points of the output are the lines `v` of the file, in their order:
  * corners that name different texture coordinates or normals do not split a point. `f` becomes a
- * polygon, `l` a polyline and `p` verts. Ids may be negative, a line may continue behind a
+ * polygon, `l` a polyline and `p` verts. Ids may be negative, a line may continue after a
  * backslash, and a weight or a color (fractions of 1 or of 255) may follow coordinates.
  *  - `Normals` and `TCoords` (two components) exist if every point has exactly one value in all
  *    cells that use it; otherwise they are discarded.

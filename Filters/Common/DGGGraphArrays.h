@@ -28,7 +28,7 @@ class VTKDGGFILTERSCOMMON_EXPORT DGGGraphArrays
 public:
   /// Creates arrays from the memory of `graph`, which is empty afterwards.
   void Adopt(dgg::GeodesicGraph& graph, const dgg::TaskContext& context);
-  /// Same for the graph of a cloud; `radii` are the radii of its band, one per point.
+  /// Creates arrays from the graph of a cloud; `radii` are the radii of its band, one per point.
   void Adopt(dgg::GeodesicGraph& graph, const std::vector<double>& radii, double voxelSize,
     const dgg::TaskContext& context);
 
@@ -62,7 +62,7 @@ public:
   ///@}
   /// Returns the defect of arrays that Find() rejected as damaged; empty for other arrays.
   const std::string& GetDamage() const { return this->Graph.GetDamage(); }
-  /// Time at which this graph was adopted or found; changes with the graph.
+  /// Returns the time at which this graph was adopted or found; changes with the graph.
   vtkMTimeType GetTime() const { return this->Time.GetMTime(); }
 
   /// Identity, modification time and memory of all arrays; changes if any of them changes.

@@ -45,7 +45,7 @@ vtkSmartPointer<ArrayType> DGGAdoptArray(
   return array;
 }
 
-/// Same as DGGMakeArray(), and adds the array to `data`.
+/// Like DGGMakeArray(), but also adds the array to `data`.
 template <typename ArrayType>
 vtkSmartPointer<ArrayType> DGGAddArray(
   vtkFieldData* data, const std::string& name, std::size_t tuples, int components = 1)

@@ -26,8 +26,8 @@ VTKDGGFILTERSCOMMON_EXPORT dgg::Status DGGFillOutput(
 VTKDGGFILTERSCOMMON_EXPORT vtkSmartPointer<vtkCellArray> DGGMakeCells(dgg::OutputCells& cells);
 
 ///@{
-/// Adds the arrays of an output, with its active scalars, or of its points, its cells or the whole,
-/// and takes over their memory. Other scalars of `data` remain.
+/// Adds all arrays of an output, with its active scalars, or one group of arrays (of its points,
+/// its cells or the whole), and takes over their memory. Other scalars of `data` remain.
 VTKDGGFILTERSCOMMON_EXPORT void DGGAddArrays(dgg::Output& output, vtkPolyData* data);
 VTKDGGFILTERSCOMMON_EXPORT void DGGAddArrays(dgg::OutputArrays& arrays, vtkFieldData* data);
 ///@}

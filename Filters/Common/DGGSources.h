@@ -40,9 +40,9 @@ struct VTKDGGFILTERSCOMMON_EXPORT DGGSourceSet
   /// Name of the surface in messages, if there are several.
   std::string Surface = "input";
 
-  /// Number of points of the port that are used.
+  /// Returns the number of points of the port that are used.
   std::size_t CountPoints() const;
-  /// Index at the port of the i-th point that is used.
+  /// Returns the index at the port of the i-th point that is used.
   vtkIdType GetPointId(std::size_t i) const;
   bool IsEmpty() const { return this->Ids.empty() && this->CountPoints() == 0; }
 };

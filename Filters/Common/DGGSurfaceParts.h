@@ -16,7 +16,7 @@
 class vtkCellArray;
 class vtkDataObject;
 
-/// Part of a surface: a block, a partition, or the piece of one of several processes.
+/// Part of a surface: a block, a partition, or the piece that one of several processes holds.
 struct DGGSurfacePart
 {
   vtkSmartPointer<vtkPolyData> Data; ///< never null

@@ -239,7 +239,7 @@ dgg::Status DGGFilterInternals::Compute(
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
   if (input && input->GetNumberOfPoints() > 0 && !this->IsCloud(input))
   {
-    // Before all other checks, whose remedies would not help.
+    // This check comes first, because the remedies of other checks would not help.
     const dgg::Status status = DGGMeshAdapter::CheckSurface(input);
     if (!status.IsOk())
     {

@@ -34,7 +34,7 @@ namespace dgg
 struct Output;
 }
 
-/// The steps of an update, which each filter implements, and what all filters do around them. The
+/// The steps of an update, which each filter implements, and the work that all filters share. The
 /// constructor of a filter creates its own and assigns it to vtkGeodesicAlgorithm::Internals.
 class VTKDGGFILTERSGEODESIC_EXPORT DGGFilterInternals
 {
@@ -95,7 +95,7 @@ public:
   /// Returns the domain (surface or cloud) that an input is treated as.
   dgg::Domain GetDomain(vtkPolyData* surface) const;
 
-  /// The mesh that is kept between updates, which is empty before the first.
+  /// Returns the mesh that is kept between updates, which is empty before the first.
   const DGGMeshAdapter& GetMesh() const { return *this->Mesh; }
 
   ///@{

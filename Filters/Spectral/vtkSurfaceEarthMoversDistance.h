@@ -152,13 +152,13 @@ public:
   ///@}
 
   /**
-   * (Distance - LowerBound) / Distance: the largest relative excess of Distance over the optimum; 0
-   * if nothing is moved, NaN without a result.
+   * Returns (Distance - LowerBound) / Distance, the largest relative excess of Distance over the
+   * optimum; 0 if nothing is moved, NaN without a result.
    */
   vtkGetMacro(Gap, double);
 
   /**
-   * Number of iterations of the last update.
+   * Returns the number of iterations of the last update.
    */
   vtkGetMacro(NumberOfIterations, int);
 

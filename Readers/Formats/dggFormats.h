@@ -31,7 +31,7 @@ struct FileStatus
   {
     Ok,
     NotFound,     ///< the file does not exist
-    CannotOpen,   ///< the file is no regular file or cannot be opened
+    CannotOpen,   ///< the file is not a regular file or cannot be opened
     Unrecognized, ///< the file has another format
     Premature,    ///< the file ends too early
     Malformed,    ///< the contents violate the format

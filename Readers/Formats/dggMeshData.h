@@ -60,7 +60,7 @@ struct MeshData
   std::vector<DataArray> PointArrays;
   std::vector<DataArray> CellArrays; ///< verts first, then lines, then polygons
   std::optional<CloudLayout> Layout; ///< layout of a point cloud in a PCD file
-  std::vector<std::string> Warnings; ///< possible defects that are no errors
+  std::vector<std::string> Warnings; ///< possible defects that are not errors
 
   std::size_t GetNumberOfPoints() const { return this->Points.size() / 3; }
 };

@@ -286,7 +286,7 @@ private:
       number < 0 ? "s before this line" : "s", ", numbered from 1");
   }
 
-  /// Colors are fractions of 1, or of 255. Other numbers after the coordinates are no colors.
+  /// Adds the colors, which are fractions of 1 or of 255. Any other numbers are not colors.
   void FinishColors()
   {
     if (this->Colors.empty() || this->Colors.size() != this->Mesh.Points.size())

@@ -154,7 +154,7 @@ private:
         this->FailAtByte(
           Premature, body.size(), "the file ends before the sizes of the compressed data");
       }
-      this->CheckRest(0); // PCL writes no sizes when there is nothing
+      this->CheckRest(0); // PCL writes no sizes if there are no points
       return;
     }
     const std::size_t compressed = ReadSize(body);

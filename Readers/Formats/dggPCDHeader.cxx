@@ -72,7 +72,7 @@ struct Entry
 class Entries
 {
 public:
-  /// Moves behind the line with DATA.
+  /// Moves past the line with DATA.
   explicit Entries(dgg::TextCursor& text)
   {
     const bool isEmpty = text.GetBytesLeft() == 0;

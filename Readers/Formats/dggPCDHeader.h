@@ -36,9 +36,9 @@ struct PCDHeader
   /// Returns the bytes of a point in a binary file.
   std::size_t GetPointBytes() const;
 
-  /// Reads the header of a file and moves behind it. Does not read the body. Throws FileError.
+  /// Reads the header of a file and moves past it. Does not read the body. Throws FileError.
   void Parse(TextCursor& text);
-  /// Returns the header as text, from the first line to the one with DATA.
+  /// Returns the header as text, from the first line to the line with DATA.
   std::string Format() const;
 };
 }

@@ -223,7 +223,7 @@ private:
   /// Compares the numbers of records with the size of the file.
   void CheckCounts()
   {
-    // The last number of a text may lack the blank behind it.
+    // The last number of a text may lack the blank after it.
     std::size_t room = this->Text.GetBytesLeft() + (this->IsBinary ? 0 : 1);
     for (Element& element : this->Elements)
     {

@@ -129,7 +129,7 @@ TEST(DistanceField, EdgesAndFacesAgree)
           const double inFace = face.At(face.PlaceOf(b));
           if (f == &field.Local)
           {
-            // The distance wave may arrive through the other face.
+            // The wavefront may arrive through the other face.
             std::array<double, 3> other{ { 0.0, 0.0, 0.0 } };
             if (twin != NoId)
             {

@@ -160,7 +160,7 @@ void ExpectSane(const TestMesh& input, double agreement)
     input.GetNumberOfVertices(), input.Triangles.data(), input.GetNumberOfFaces(), mesh);
   if (!status.IsOk())
   {
-    // The only error that these meshes can cause.
+    // No other error is possible on these meshes.
     EXPECT_TRUE(Says(status, "single points"));
     return;
   }

@@ -24,7 +24,7 @@ SearchResult RunMethod(const SearchCase& c, const std::vector<GraphSeed>& seeds,
   });
 }
 
-/// Returns distances of a search over fans for rows of any length; otherwise the method decides.
+/// Returns distances of a search over fans, which are used here for rows of any length.
 std::vector<double> DistancesOverFans(const SearchCase& c, const std::vector<GraphSeed>& seeds,
   double radius, dgg::SearchEffort& effort, const std::vector<Id>* targets = nullptr)
 {

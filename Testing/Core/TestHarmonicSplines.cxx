@@ -374,7 +374,7 @@ TEST(HarmonicSplines, ErrorsFallLikeTheSquareOfTheCells)
 
 TEST(HarmonicSplines, GivenValuesOnTheBoundary)
 {
-  // sin sin vanishes on the boundary, unlike functions of sites.
+  // The eigenfunction sin(pi x) sin(pi y) vanishes on the boundary, where values are given.
   const TestMesh plane = UnitSquare();
   const dgg::SurfaceMesh mesh = Build(plane);
   Splines splines(mesh, With(dgg::PoissonBoundary::Dirichlet));

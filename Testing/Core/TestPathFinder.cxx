@@ -176,8 +176,8 @@ TEST(PathFinder, FineGraph)
   ExpectShortestPaths(meshes, 5e-6, 7, 0.99); // lengths are stored as double
 }
 
-/// Narrow faces split windows into more than the solver may process in a corridor. The result is
-/// then the locally shortest path, as without a corridor.
+/// Narrow faces split windows, so that a corridor needs more windows than the solver may process.
+/// The result is then the locally shortest path, as without a corridor.
 TEST(PathFinder, CorridorsThatTakeTooLong)
 {
   const PathWorld world(Torus(6, 1000), 0.2);

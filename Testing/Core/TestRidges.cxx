@@ -150,7 +150,7 @@ int ExpectTies(const RidgeCase& test, double share, const std::string& what)
     }
   }
   EXPECT_LE(wrong, share * count) << what << ": " << wrong << " of " << count;
-  // Where ridges meet, the sides may see other sources.
+  // Where ridges meet, other sources may be nearest on the two sides.
   EXPECT_LE(apart, 1 + 0.03 * count) << what << ": " << apart << " of " << count;
   EXPECT_LT(farthest, 1e-4) << what;
   return count;

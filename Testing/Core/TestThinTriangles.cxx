@@ -164,13 +164,13 @@ TEST(ThinTriangles, PartsOfASurfaceAreRefused)
   EXPECT_TRUE(solver.CheckValues(sources).IsOk());
   sources[bad] = 1.0;
   ExpectThin(solver.Solve(sources), "source at vertex " + std::to_string(bad));
-  // Dirichlet conditions do not help.
+  // With Dirichlet conditions, sources on the thin square are refused as well.
   dgg::PoissonOptions held;
   held.Boundary = dgg::PoissonBoundary::Dirichlet;
   ASSERT_TRUE(solver.Prepare(held, nullptr).IsOk());
   ExpectThin(solver.CheckPole(dgg::SurfacePoint::AtVertex(bad)), std::to_string(bad));
   ExpectThin(solver.Solve(sources), "source at vertex " + std::to_string(bad));
-  // Prescribed values in the interior help.
+  // With a prescribed value in its interior, the thin square is accepted.
   held.Boundary = dgg::PoissonBoundary::Neumann;
   held.DirichletVertices = { bad };
   ASSERT_TRUE(solver.Prepare(held, nullptr).IsOk());

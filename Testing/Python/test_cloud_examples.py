@@ -78,7 +78,7 @@ class DemoOnClouds(unittest.TestCase):
             ("path", r"\A1\.4\d* model units long"),
         ):
             self.assertRegex(rows[row], pattern)
-        # The path and both ends of the range of colours are seen, and nothing that is not reached.
+        # The picture shows the path and both ends of the range of colors, and no unreached points.
         red, green, blue = np.moveaxis(picture, -1, 0)
         self.assertGreater(is_red(picture).sum(), 3000)
         self.assertGreater(np.sum((red > 150) & (green > 150) & (blue < 100)), 3000)

@@ -149,8 +149,8 @@ def parsed(text, dtype):
         values = np.fromstring(text, widest, sep=" ")
     except (DeprecationWarning, ValueError):
         values = ()
-    # Some versions of NumPy return the numbers before a wrong word, and the digits that it begins
-    # with.
+    # At a word that is not a number, some versions of NumPy return the numbers before the word, and
+    # the digits at its beginning.
     if len(values) != number or not _is_number(text.rsplit(None, 1)[-1], kind):
         word = next((word for word in text.split() if not _is_number(word, kind)), text)
         raise ValueError(f"expected numbers, got {word[:30].decode('latin-1')!r}")

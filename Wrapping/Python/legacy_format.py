@@ -227,8 +227,8 @@ class LegacyFile:
         if self._is_binary:
             values = np.frombuffer(self._bytes(count * dtype.itemsize), dtype.newbyteorder(">"))
             values = values.astype(dtype, copy=False)
-            # A line end follows each array of a file, or none. It becomes part of an array that
-            # lacks a byte.
+            # In a file, either all arrays are followed by a line end, or none. If an array lacks a
+            # byte, the line end after it is read as part of the array.
             if count:
                 self._line_ends.add(self._data[self._at : self._at + 1] == b"\n")
             if len(self._line_ends) > 1:

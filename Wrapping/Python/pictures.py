@@ -96,7 +96,7 @@ INK = (0.12, 0.12, 0.14)
 
 # Radius of discs, as a fraction of the local spacing. Neighboring discs overlap, without gaps.
 DISC_RADIUS = 0.85
-# Largest ratio of the spacing of a disc to the median, and of the median to it.
+# Largest ratio between the spacing of a disc and the median, in either direction.
 LARGEST_RATIO = 2.5
 
 

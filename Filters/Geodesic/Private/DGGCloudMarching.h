@@ -28,9 +28,9 @@ public:
   /// the band starts at the closest point of the cloud.
   dgg::Status Run(DGGDistanceTask& task, const dgg::ProgressCallback& progress) const;
 
-  /// Median radius of balls, in voxels.
+  /// Returns the median radius of balls, in voxels.
   double GetBandRadius() const { return this->BandRadius; }
-  /// Voxels along the longest side of the points.
+  /// Returns the number of voxels along the longest side of the points.
   dgg::Id GetResolution() const { return this->Resolution; }
 
 private:

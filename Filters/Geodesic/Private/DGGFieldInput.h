@@ -32,9 +32,10 @@ std::string DGGGetDistanceName(vtkDataArray* distances);
 std::string DGGGetDistanceName(vtkInformation* filter, const std::string& property);
 ///@}
 
-/// Reads distances and the windows or virtual sources that belong to them. Unreached are NaN,
-/// Infinity and `unreachedValue` or, if that is NaN, what an array marks (DGGUnreachedArray.h).
-/// `virtualSources` is the name of a point array; null for a field that is linear in each face.
+/// Reads distances and the windows or virtual sources that belong to them. Points are unreached if
+/// their distance is NaN, Infinity or `unreachedValue`; if `unreachedValue` is NaN, also if an
+/// array marks them (DGGUnreachedArray.h). `virtualSources` is the name of a point array; null for
+/// a field that is linear in each face.
 dgg::Status DGGReadField(const DGGContext& context, vtkDataArray* distances, double unreachedValue,
   const char* virtualSources, const dgg::ProgressCallback& progress, dgg::FieldReader& reader);
 

@@ -19,10 +19,10 @@
 
 class vtkObject;
 
-/// Properties and graph of a filter that searches a graph. The graph is that on the input, or else
-/// one that the filter builds and keeps until the mesh or the accuracy changes. The graph of a
-/// cloud must be on the input. Such filters have different superclasses, therefore this class is a
-/// member of DGGGraphInternalsOf. The filter declares and documents the properties;
+/// Properties and graph of a filter that searches a graph. The graph is taken from the input;
+/// without one, the filter builds a graph and keeps it until the mesh or the accuracy changes. The
+/// graph of a cloud must be on the input. Such filters have different superclasses, therefore this
+/// class is a member of DGGGraphInternalsOf. The filter declares and documents the properties;
 /// vtkDGGGraphUserMacro() defines them.
 class DGGGraphUser : public dgg::GraphSession
 {

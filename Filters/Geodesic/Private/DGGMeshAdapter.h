@@ -31,7 +31,7 @@ public:
   void Clear();
 
   const dgg::PreparedSurface& Get() const { return *this->Prepared; }
-  /// Time of the last change of the surface.
+  /// Returns the time of the last change of the surface.
   vtkMTimeType GetBuildTime() const { return this->BuildTime.GetMTime(); }
 
 private:

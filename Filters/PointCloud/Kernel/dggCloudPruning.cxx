@@ -9,9 +9,9 @@ namespace dgg
 {
 namespace
 {
-/// Limits for the number of sectors. Relays are searched in sectors around the point. The width of
-/// a sector is the largest angle at the point between a path and a relay that covers its end. Very
-/// narrow sectors would only be empty.
+/// Limits for the number of sectors around a point in which relays are searched. The width of a
+/// sector is the largest angle at the point between a path and a relay that covers its end. A
+/// larger number would mostly give empty sectors.
 constexpr int MostSectors = 720;
 constexpr int LeastSectors = 8;
 

@@ -29,8 +29,8 @@ constexpr double MostReach = 16.0;
 constexpr double TurnOfReach = 0.8;
 /// Default ratio of reach to median spacing, scheme B.
 constexpr double ConstantReach = 6.0;
-/// Minimum number of direct neighbors within reach, and number of nearest nodes among which they
-/// are searched.
+/// Minimum number of direct neighbors within reach, and number of nearest nodes that are searched
+/// for them.
 constexpr std::size_t LeastNeighbors = 6;
 constexpr std::size_t NearNeighbors = 33;
 

@@ -156,7 +156,7 @@ class GreenSums(Exhibit):
     published = (
         "Algorithm 4: each fragment computes its Green's function (Eq. 4.21), and sums it over cells."
     )
-    # z, and the colors on the left, which is north, and on the right.
+    # Per curve: z, the color on its left (north), and the color on its right.
     curves = ((-0.3, 0.2, 0.0), (0.5, 1.0, 0.8))
     count = 400
 

@@ -15,8 +15,8 @@ from ..surface import area_vectors, configured, coordinates_of, triangles_of
 FLOOR = 1e-6
 # Width of gaps that separate the components of a cloud, in spacings.
 GAP = 5.0
-# Fraction of the diagonal. Pictures interpolate distances linearly in triangles, which is
-# inaccurate in larger ones.
+# Largest median edge, as a fraction of the diagonal, without a remark: pictures interpolate
+# distances linearly in triangles, which is inaccurate in large triangles.
 LARGE = 0.05
 
 
