@@ -28,7 +28,7 @@ public:
   const std::string& Get(const std::string& name) const { return this->Values.at(name); }
   double GetNumber(const std::string& name) const;
   int GetInteger(const std::string& name) const;
-  /// Same; throws a BenchmarkError if the value is less than `least`.
+  /// Like GetInteger(), but throws a BenchmarkError if the value is less than `least`.
   int GetAtLeast(const std::string& name, int least) const;
   /// Returns the parts of a value, separated by commas.
   std::vector<std::string> GetList(const std::string& name) const;

@@ -74,14 +74,14 @@ public:
       this->Prefix + name, [=](benchmark::State& state) { run(state, arguments...); },
       this->Minimum);
   }
-  /// Same for the k-th of `count` sources; `run` also receives k and `count`.
+  /// Registers a case for the k-th of `count` sources; `run` also receives k and `count`.
   template <typename Run, typename... Arguments>
   void AddSource(
     const std::string& name, int k, int count, Run run, const Arguments&... arguments) const
   {
     this->Add(name + "/" + std::to_string(k), run, arguments..., k, count);
   }
-  /// Same for all `count` sources.
+  /// Registers cases for all `count` sources, see AddSource().
   template <typename Run, typename... Arguments>
   void AddSources(const std::string& name, int count, Run run, const Arguments&... arguments) const
   {
@@ -112,7 +112,7 @@ struct OpenedGraph
 
 /// Returns a graph, which need not be built, and its mesh.
 OpenedGraph OpenGraph(const GraphRecipe& recipe);
-/// Same, with the graph built.
+/// Returns a graph that has been built, and its mesh.
 OpenedGraph OpenBuiltGraph(const GraphRecipe& recipe);
 
 void ReportMesh(benchmark::State& state, const BenchmarkMesh& mesh);

@@ -11,8 +11,8 @@
 /// one level is split into the faces 4 f to 4 f + 3 of the next.
 MeshArrays Icosphere(int level);
 
-/// Same with waves of relative height `amplitude` and vertices shifted at random by up to 0.2 edge
-/// lengths.
+/// Icosphere() with waves of relative height `amplitude` and vertices shifted at random by up to
+/// 0.2 edge lengths.
 MeshArrays BumpySphere(int level, double amplitude = 0.1);
 
 /// Torus of radii 1 and 0.4 with `rings` x `sides` vertices, shifted at random along the surface by

@@ -136,7 +136,7 @@ TEST(SurfacePoint, SamePoints)
   const SurfacePoint onEdge = SurfacePoint::OnEdge(mesh, 0, 0.25);
   EXPECT_TRUE(dgg::IsSamePoint(onEdge, SurfacePoint::InFace(mesh, 0, { { 0.75, 0.25, 0.0 } })));
   EXPECT_FALSE(dgg::IsSamePoint(onEdge, SurfacePoint::OnEdge(mesh, 0, 0.5)));
-  // A vertex is the same from every face.
+  // A point at a vertex is the same, in whichever way it is given.
   const dgg::Id v = mesh.Origin(0);
   EXPECT_TRUE(dgg::IsSamePoint(SurfacePoint::AtVertex(v), SurfacePoint::OnEdge(mesh, 0, 0.0)));
   EXPECT_TRUE(dgg::IsSamePoint(SurfacePoint::OnEdge(mesh, 0, 0.0), SurfacePoint::AtVertex(v)));

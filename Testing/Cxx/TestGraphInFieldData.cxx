@@ -60,7 +60,7 @@ protected:
     EXPECT_EQ(filter->GetGraphBuildTime(), built);
   }
 
-  /// Expects the same for a surface whose graph has been changed.
+  /// Expects a warning and a rebuilt graph if the graph of the surface is changed by `damage`.
   void ExpectNoticed(const std::function<void(vtkFieldData*)>& damage, const std::string& part)
   {
     SCOPED_TRACE(part);

@@ -43,11 +43,11 @@ from vtkmodules.util.numpy_support import get_numpy_array_type, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkDataArray, vtkSMPTools
 
 THREADS = [("TBB", 1), ("TBB", 2), ("STDThread", 1), ("STDThread", 2)]
-LIMIT, SHORT = 120.0, 5.0  # seconds that a process may take, and with one change
+LIMIT, SHORT = 120.0, 5.0  # time limits of a process, seconds: in general, with one change
 SAMPLE = 1000  # values of an array that are kept
 MEBIBYTE = 2**20
-MORE, SLACK = 1.1, 8.0  # by how much memory may grow: a factor, and MiB
-# Numbers that are not the same again, and values that VTK reads without a check.
+MORE, SLACK = 1.1, 8.0  # allowed growth of memory: a factor, and MiB
+# Getters whose results differ between runs, and getters that VTK reads without a check.
 FLEETING = re.compile(r"BuildTime|FileName|GetValue$")
 NUMBERS = (bool, int, float, str)
 PLACE = re.compile(r"\A(?:ERROR|Warning): In .*, line \d+\n")

@@ -22,7 +22,7 @@ from vtkmodules.vtkIOPLY import vtkPLYReader
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLPolyDataWriter
 
 ACCURACY = 0.05  # of the graph in files
-SMALL, MIDDLE, LARGE = 2500, 7000, 15_000  # points, for what takes longer
+SMALL, MIDDLE, LARGE = 2500, 7000, 15_000  # most points of slow cases
 CONSTRUCTIONS = ["Guaranteed", "OneRelay", "Indirect", "SaddleVertexGraph"]
 SCHEMES = ["A", "B", "C"]
 FILES = """

@@ -38,9 +38,9 @@ from sweep_trial import Surface, Trial
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkFiltersCore import vtkTriangleFilter
 
-RATIO, LEAST = 20.0, 2.0  # times a clean mesh, and seconds, that a filter may take
-SHORTEST = 0.01  # seconds; what takes less is not reported apart
-PATIENCE = 60.0  # a process that waits, or checks, for so many seconds more hangs
+RATIO, LEAST = 20.0, 2.0  # time limit: multiple of a clean mesh, at least seconds
+SHORTEST = 0.01  # seconds; shorter times are not distinguished
+PATIENCE = 60.0  # seconds that a process may take beyond 20 time limits
 LARGEST = 70_000  # points, for filters that are not meant for more
 LADDER = [50, 200, 800, 3200, 12800]  # points of the clean meshes that are measured
 SEEDS = os.path.join(os.path.dirname(os.path.abspath(__file__)), "sweep_seeds.txt")
@@ -48,7 +48,7 @@ SEEDS = os.path.join(os.path.dirname(os.path.abspath(__file__)), "sweep_seeds.tx
 EXTENSIONS = (".ply", ".stl", ".obj", ".vtp", ".off")
 
 GOOD = ("ok", "refused", "known")
-# What the documentation says that filters refuse.
+# Messages of refusals that the documentation announces.
 REFUSALS = [
     r"multipl(y|ies) among non-manifold edges or (triangles without|long triangles of little) area",
     r"reach too far over long triangles",

@@ -136,7 +136,7 @@ def bridged(flat, rings):
 def bridge(flat, ring, hole, edges):
     """Returns the indices of points of a ring and a hole that see each other."""
     _, once, times = np.unique(ring, return_index=True, return_counts=True)
-    once = once[times == 1]  # the other ends of bridges see to one side only
+    once = once[times == 1]  # from ends of bridges, only one side is visible
     p, q = edges
     for j in np.argsort(-flat[hole, 0]):
         a = flat[hole[j]]

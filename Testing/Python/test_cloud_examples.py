@@ -121,7 +121,7 @@ class DemoOnClouds(unittest.TestCase):
                 self.assertEqual(rows["points"], str(len(points)))
                 self.assertAlmostEqual(np.max(distances), longest, delta=1e-6)
                 self.assertAlmostEqual(length, longest, delta=1e-6)
-                # The farthest point is dark, and may be all that is seen where it is the source.
+                # The farthest point is dark. If it is the source, nothing else may be visible.
                 dark = (picture.max(axis=2) < 60).sum()
                 self.assertGreater(is_red(picture).sum() + dark, 500)
 

@@ -171,7 +171,7 @@ class Arrays(unittest.TestCase):
         expected = scipy.sparse.csgraph.dijkstra(matrix, indices=77)
         raw = graph.distance(77, correction=False)
         np.testing.assert_allclose(raw, expected, rtol=1e-12)
-        # It may be changed.
+        # Changes of the matrix do not affect the graph.
         targets, lengths = graph.targets.copy(), graph.lengths.copy()
         matrix.sort_indices()
         matrix.data[:] = 0.0

@@ -22,7 +22,7 @@ PACKAGES = (
     "trimesh==5.2.*",
     "vedo==2026.6.*",
 )
-# What these import.
+# Packages that these packages import.
 REQUIRED = (
     "Pygments addict configargparse dash flask joblib matplotlib nbformat nibabel pandas".split()
 )

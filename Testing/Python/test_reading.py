@@ -363,7 +363,7 @@ class Formats(support.Test):
         except ImportError:
             with self.assertRaisesRegex(ImportError, "pip install nibabel"):
                 vtkdgg.read(path)
-            # A stand-in with what is used of it.
+            # A stand-in with the attributes that are used.
             surface = types.SimpleNamespace(
                 agg_data={"pointset": points, "triangle": triangles}.get
             )

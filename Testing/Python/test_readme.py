@@ -104,7 +104,7 @@ class Pages(unittest.TestCase):
                     self.assertEqual(found, counts.get((page, language), 0))
 
     def test_all_classes_are_listed(self):
-        # Abstract classes, and the members of others, are not for users to choose from.
+        # Abstract base classes are not listed, because users do not choose them.
         front = pages.text_of("README.md")
         for name in dir(vtkdgg):
             if name.startswith("vtk") and isinstance(getattr(vtkdgg, name), type):

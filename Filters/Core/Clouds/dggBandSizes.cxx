@@ -12,7 +12,7 @@ namespace dgg
 {
 namespace
 {
-/// Maximum ratio of the spacing of a point to that of its neighbors.
+/// Maximum ratio of the spacing of a point to the median spacing of its neighbors.
 constexpr double LargestSpacingRatio = 1.25;
 constexpr double VoxelsPerSpacing = 2.0;
 /// Quantile of the spacings from which the voxel size is chosen. The smallest spacings are not

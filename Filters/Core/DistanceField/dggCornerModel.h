@@ -57,7 +57,7 @@ struct CornerModel : VirtualSource
   {
     double Offset;
     double Length;
-    double Bend; ///< 4 sin^2 of half the angle between this direction and that of the source
+    double Bend; ///< 4 sin^2 of half the angle between this and the source direction
 
     double At(double rho) const
     {

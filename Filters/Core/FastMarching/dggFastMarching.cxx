@@ -410,7 +410,7 @@ private:
     {
       return;
     }
-    // Angle from the direction of the right end counter-clockwise to that of the center.
+    // Angle from the direction of the right end counter-clockwise to the direction of the center.
     const Point2 toRight{ -apex.X, -apex.Y };
     front.Angle = triangle.Direction +
       std::atan2(dgg::Cross(toRight, arrival.From), Dot(toRight, arrival.From));

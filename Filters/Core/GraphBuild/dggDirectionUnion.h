@@ -24,7 +24,7 @@ public:
   void Unite(RowStore& rows, Id first, const ParallelFor& parallel);
 
 private:
-  /// An edge whose reverse edge is searched for.
+  /// An edge whose reverse edge is sought.
   struct Wanted
   {
     Offset Edge; ///< index of the edge; its target is an earlier row

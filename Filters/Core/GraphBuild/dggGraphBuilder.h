@@ -77,7 +77,7 @@ class DGG_CORE_EXPORT GraphBuilder
 public:
   /// Prepares tables of the mesh. Building fails if a vertex needs more windows than `windowLimit`.
   /// Building also fails if non-manifold edges or degenerate triangles multiply the work beyond
-  /// about twenty times that of a clean mesh of the same size.
+  /// about twenty times the work on a clean mesh of the same size.
   explicit GraphBuilder(const SurfaceMesh& mesh, std::size_t windowLimit = DefaultWindowLimit);
   ~GraphBuilder();
   GraphBuilder(const GraphBuilder&) = delete;

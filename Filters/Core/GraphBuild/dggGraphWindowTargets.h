@@ -16,7 +16,7 @@
 
 namespace dgg
 {
-/// A point to which the shortest straight line is searched.
+/// A point to which the shortest straight line is sought.
 struct GraphWindowTarget
 {
   Id Face = NoId; ///< of the mesh

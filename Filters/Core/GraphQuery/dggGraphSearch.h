@@ -126,7 +126,7 @@ public:
 
   /// Computes distances from the nearest seed. All methods give the same distances, up to rounding.
   /// Fails with an empty `result` if there is no seed, or if a seed does not exist or has an
-  /// initial distance that is not finite. If `result` is that of an earlier call, from which any
+  /// initial distance that is not finite. If `result` is from an earlier call, from which any
   /// array but `Reached` may have been moved, the cost is proportional to the number of vertices
   /// within the radii of both searches.
   Status Run(

@@ -75,10 +75,10 @@ public:
     this->Pairs[3] = SmallerOf(from.Pairs[3] + step, this->Pairs[3]);
   }
 
-  /// Returns true if any label is below that of `old`.
+  /// Returns true if any label is below the corresponding label of `old`.
   bool AreBelow(const Lanes& old) const { return AnyIsLess(this->Pairs, old.Pairs); }
 
-  /// Returns the smallest label that is below that of `old`; Infinity if no label is below.
+  /// Returns the smallest label below the corresponding label of `old`; Infinity if there is none.
   double SmallestBelow(const Lanes& old) const
   {
     double smallest = Infinity;

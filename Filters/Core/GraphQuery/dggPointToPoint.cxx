@@ -9,8 +9,8 @@ namespace dgg
 {
 namespace
 {
-/// Width of the buckets relative to that of a search without goal. Along a path to the goal, the
-/// sum of label and bound hardly grows; in wide buckets vertices would be expanded many times.
+/// Width of the buckets relative to a search without a goal. Along a path to the goal, the sum of
+/// label and bound hardly grows; in wide buckets vertices would be expanded many times.
 constexpr double WidthShare = 0.02;
 /// Relative rounding error of the length of a path compared to a straight line.
 constexpr double StraightMargin = 1e-9;

@@ -99,8 +99,8 @@ Id FaceIsolines::Trace(Id f, std::vector<FaceCurve>& curves)
   const auto end = this->Levels.end();
   if (!isLinear)
   {
-    // Levels between the distance of a source inside the face and that of the path through a
-    // corner.
+    // Levels between the distance of a source inside the face and the distance of the path through
+    // a corner.
     const auto above = std::upper_bound(begin, end, farthest);
     for (auto level = above; level != end && *level <= nearest + reach; ++level)
     {

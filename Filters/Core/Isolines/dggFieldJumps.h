@@ -23,8 +23,8 @@ struct FieldJump
 /// Returns the angle between two gradients, in [0, pi].
 double AngleBetween(const FieldSample& a, const FieldSample& b);
 
-/// Returns true if two samples belong to the same source, up to rounding; `length` is that of an
-/// edge.
+/// Returns true if two samples belong to the same source, up to rounding; `length` is an edge
+/// length.
 bool HaveOneSource(const FieldSample& a, const FieldSample& b, double length);
 
 /// Returns the distance of a point from the source of a sample.

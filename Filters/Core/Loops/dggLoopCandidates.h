@@ -28,7 +28,7 @@ struct LoopCandidates
 };
 
 /// Returns the loops that pass nearly straight through both ends of an edge. Most other loops
-/// contract to the source. `result` is that of a search from one source with the given seeds.
+/// contract to the source. `result` comes from a search from one source with the given seeds.
 LoopCandidates FindLoopCandidates(const SurfaceMesh& mesh, const GraphView& graph,
   const std::vector<GraphSeed>& seeds, const SearchResult& result);
 }

@@ -74,7 +74,7 @@ public:
   Id NewVertex(Id v) const { return this->Rank[v]; }
 
   const FaceCrossing& operator[](Id entry) const { return this->Crossings[entry]; }
-  /// Prefetches a crossing. Does nothing if the code is not that of a single crossing.
+  /// Prefetches a crossing. Does nothing if the code does not denote a single crossing.
   void Prefetch(Id code) const
   {
     if (code >= 0)

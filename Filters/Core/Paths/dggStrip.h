@@ -84,7 +84,7 @@ struct TurnEnd
 double FindTurn(const SurfaceMesh& mesh, Id c, const TurnEnd& from, const TurnEnd& to,
   std::vector<EdgeCrossing>& crossings);
 
-/// Removes redundant crossings: edges crossed forth and back, and edges that contain an end of the
+/// Removes redundant crossings: edges crossed back and forth, and edges that contain an end of the
 /// strip.
 void RemoveRedundantCrossings(const SurfaceMesh& mesh, Strip& strip);
 

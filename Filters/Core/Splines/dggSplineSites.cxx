@@ -106,7 +106,7 @@ std::vector<Id> FindFarthest(const PoissonSystem& system, const std::vector<doub
   return farthest;
 }
 
-/// Returns, per component, whether it has a free vertex.
+/// Returns 1 for each component that has a free vertex, otherwise 0.
 std::vector<std::uint8_t> FindSplineComponents(const PoissonSystem& system)
 {
   std::vector<std::uint8_t> has(system.GetNumberOfComponents(), 0);

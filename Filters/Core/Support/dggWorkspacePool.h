@@ -13,7 +13,7 @@
 
 namespace dgg
 {
-/// Stores idle workspaces, as many as were ever in use simultaneously. Thread-safe.
+/// Stores idle workspaces, up to the largest number in use simultaneously. Thread-safe.
 template <typename Workspace>
 class WorkspacePool
 {

@@ -20,8 +20,8 @@ namespace
 {
 using Vector = std::array<double, 3>;
 
-/// Memory of the search for the flow relative to that of the system, since it factorizes a similar
-/// matrix.
+/// Memory of the search for the flow relative to the memory of the system, since the search
+/// factorizes a similar matrix.
 constexpr double SearchPart = 1.25;
 
 /// Computes masses per vertex. `areas`, per vertex, is null if the numbers are masses.

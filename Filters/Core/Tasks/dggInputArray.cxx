@@ -63,7 +63,7 @@ std::vector<double> InputArray::Integrate(
   for (std::size_t i = 0; i < this->Values.size(); ++i)
   {
     const Id v = surface.GetVertex(static_cast<Offset>(i));
-    if (!areas || v == static_cast<Id>(i)) // densities of merged points are those of the first
+    if (!areas || v == static_cast<Id>(i)) // merged points have the density of the first
     {
       sums[v] += areas ? this->Values[i] * (*areas)[v] : this->Values[i];
     }

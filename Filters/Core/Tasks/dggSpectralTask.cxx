@@ -13,7 +13,7 @@ namespace dgg
 {
 namespace
 {
-/// Progress weight of selecting sources within the rest after the factorization.
+/// Progress weight of selecting sources, within the progress after the factorization.
 constexpr double ChoosingPart = 0.1;
 }
 

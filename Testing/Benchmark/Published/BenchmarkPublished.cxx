@@ -375,7 +375,7 @@ void Query(benchmark::State& state, const MeshRecipe& recipe, const std::string&
   ReportErrors(state, mesh, source, result.Distances);
 }
 
-/// Builds the graph with pseudo-vertices. Gaps are searched in the graph of all candidates.
+/// Builds the graph with pseudo-vertices. Gaps are sought in the graph of all candidates.
 dgg::Status BuildPseudo(const dgg::SurfaceMesh& surface, double accuracy, OwnGraph& own)
 {
   dgg::GeodesicGraph candidates;

@@ -16,7 +16,7 @@
 enum class QueueRule
 {
   FirstInFirstOut,
-  SmallLabelFirst, ///< enters at the front if its label is at most that of the front
+  SmallLabelFirst, ///< enters at the front if its label is at most the front label
   LargeLabelLast,  ///< labels above the mean of the queue are moved to the back
   SmallAndLarge    ///< both rules, as published
 };
