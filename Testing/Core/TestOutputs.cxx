@@ -55,7 +55,7 @@ std::vector<ValueType> ToVector(const dgg::Buffer<ValueType>& values)
   return { values.begin(), values.end() };
 }
 
-/// A unit square of two triangles, 0 1 2 and 0 2 3.
+/// Returns a unit square of two triangles, 0 1 2 and 0 2 3.
 TestMesh Square()
 {
   TestMesh mesh;

@@ -36,7 +36,7 @@ Id Nearest(const TestMesh& mesh, double x, double y, double z)
   return best;
 }
 
-/// A sphere with bumps and dents.
+/// Returns a sphere with bumps and dents.
 TestMesh BumpySphere(int level)
 {
   TestMesh mesh = Icosphere(level);

@@ -249,7 +249,7 @@ private:
     }
   }
 
-  /// A triangle accumulates the displacements of all splits of its input triangle.
+  /// Adds a displacement to a triangle, which accumulates all splits of its input triangle.
   void Move(Id f, double height)
   {
     this->Moved[f] += height;

@@ -43,7 +43,7 @@ int Previous(int h)
   return h % 3 == 0 ? h + 2 : h - 1;
 }
 
-/// Integer hash.
+/// Returns an integer hash.
 std::uint64_t HashOf(std::uint64_t i)
 {
   i = (i + 1) * 0x9e3779b97f4a7c15ULL;

@@ -374,8 +374,8 @@ bool WindowTracer::EndInSharedFace(const SurfacePoint& start, Id root)
   return true;
 }
 
-/// Last resort if the path of a window is lost among degenerate faces: ends at a corner of a face
-/// that contains the start, if that path is equally short.
+/// Ends the segment at a corner of a face that contains its start, if that path is equally short.
+/// Last resort if the path of a window is lost among degenerate faces.
 bool WindowTracer::EndAtCorner(const SurfacePoint& start, Id& reached)
 {
   Id best = NoId;

@@ -337,9 +337,9 @@ void PoissonSystem::SolveOnce(std::vector<Number>& values) const
   this->Center(values);
 }
 
-/// Conjugate gradients with the factor as preconditioner: one step suffices for a good factor, a
-/// few if the diagonal had to be increased. Residuals within the rounding error of the solution do
-/// not trigger a step.
+/// Refines a solution by conjugate gradients with the factor as preconditioner. One step suffices
+/// for a good factor, a few if the diagonal had to be increased. Residuals within the rounding
+/// error of the solution do not trigger a step.
 void PoissonSystem::Refine(const std::vector<double>& sources, std::vector<double>& solution) const
 {
   const std::size_t n = sources.size();

@@ -15,8 +15,8 @@ namespace dgg
 {
 class PoissonSystem;
 
-/// Relative error caused by thin triangles in the solution of a problem with random sources, per
-/// component: the maximum of the following two.
+/// Returns, per component, the relative error that thin triangles cause in the solution of a
+/// problem with random sources: the maximum of the following two errors.
 /// - The fraction of energy in softened triangles (PoissonSystem::LargestCotangent), weighted by
 ///   the degree of softening. A few thin triangles have almost no energy, as the values at their
 ///   ends agree; if a surface is thin everywhere, thin triangles have all of the energy.

@@ -37,8 +37,8 @@ struct PropagationLabel
   Id Root;      ///< index of the source
 };
 
-/// An order of labels with equal keys, so that among simultaneous arrivals the same label is kept
-/// regardless of the order of threads.
+/// Returns true if a label precedes another one with an equal key. The order is total, so that
+/// among simultaneous arrivals the same label is kept regardless of the order of threads.
 inline bool ComesBefore(const PropagationLabel& a, const PropagationLabel& b)
 {
   if (a.Entry != b.Entry)

@@ -103,7 +103,7 @@ void EdgeWays::CollectShortcuts(const ParallelFor& parallel)
   });
 }
 
-/// Like Dijkstra's algorithm: each vertex is lowered once.
+/// Applies shortcuts like Dijkstra's algorithm: each vertex is lowered once.
 void EdgeWays::Take(std::vector<PropagationShortcut>& shortcuts)
 {
   std::vector<PropagationShortcut> found;

@@ -24,7 +24,7 @@ struct PropagationShortcut
   PropagationLabel Label;
 };
 
-/// The path from one corner of a face to another along their edge.
+/// Returns the path from one corner of a face to another along their edge.
 inline PropagationShortcut WayAlongEdge(
   Id f, const PropagationFace& face, int from, int to, float start)
 {

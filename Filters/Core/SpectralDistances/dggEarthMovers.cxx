@@ -48,11 +48,11 @@ struct LinearFlow
   }
 };
 
-/// On the central path the flow is the slope times e + sqrt(e^2 + |flow|^2), with a small e: it has
-/// the direction of the slope, which is below 1, and close to 1 where there is flow. This is
-/// Newton's linear model of that relation, made symmetric (Andersen, Christiansen, Conn and
-/// Overton, "An efficient primal-dual interior-point method for minimizing a sum of Euclidean
-/// norms", 2000).
+/// Returns Newton's linear model of the flow on the central path, made symmetric (Andersen,
+/// Christiansen, Conn and Overton, "An efficient primal-dual interior-point method for minimizing a
+/// sum of Euclidean norms", 2000). On this path the flow is the slope times e + sqrt(e^2 +
+/// |flow|^2), with a small e: it has the direction of the slope, which is below 1, and close to 1
+/// where there is flow.
 LinearFlow Linearize(const Point2& flow, const Point2& slope, double e)
 {
   const double size = Norm(flow.X, flow.Y);

@@ -221,7 +221,7 @@ void Assemble(std::size_t count, Triplets& conductances, SplineCells& cells)
   }
 }
 
-/// If every vertex is a site, the coefficients are the weights of the edges.
+/// Sets the coefficients to the weights of the edges, their values if every vertex is a site.
 void TakeWeights(const PoissonSystem& system, const SplineCells& cells, Triplets& conductances)
 {
   const Eigen::SparseMatrix<double>& stiffness = system.GetStiffness();

@@ -7,7 +7,7 @@
 
 namespace dgg
 {
-/// A hint that the memory at an address will soon be read. Any address is allowed.
+/// Hints that the memory at an address will soon be read. Any address is allowed.
 inline void Prefetch(const void* address)
 {
 #if defined(__GNUC__)

@@ -78,7 +78,7 @@ void AddCells(BitHash& hash, const CellArrays& cells)
   }
 }
 
-/// The surfaces in use, by fingerprint.
+/// Returns the surfaces in use, by fingerprint.
 SharedTable<Signature, PreparedSurface>& GetSurfacesInUse()
 {
   static SharedTable<Signature, PreparedSurface> surfaces;

@@ -47,8 +47,8 @@ public:
   MatrixSearch(const TaskContext& context, GraphSession& graph, const Points& sources,
     const Points& targets, const MatrixEntries& distances);
 
-  /// With `symmetric`, targets and sources are the same points: one half is searched and mirrored.
-  /// Distances above `radius` may stay Infinity.
+  /// Finds all distances. With `symmetric`, targets and sources are the same points: one half is
+  /// searched and mirrored. Distances above `radius` may stay Infinity.
   Status Run(bool symmetric, double radius);
 
 private:

@@ -91,7 +91,7 @@ void AddSources(const SurfaceMesh& mesh, const std::vector<EdgeSide>& edges,
   }
 }
 
-/// b(d) = (1 - (d / width)^2)^2, 0 from the width on: flat at the curve, and smooth at the end.
+/// Returns b(d) = (1 - (d / width)^2)^2, 0 from the width on: flat at the curve, smooth at the end.
 double FadeWithDistance(double distance, double width)
 {
   const double t = distance / width;

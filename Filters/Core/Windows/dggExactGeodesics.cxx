@@ -14,7 +14,7 @@ ExactGeodesics::ExactGeodesics(const SurfaceMesh& mesh)
 
 ExactGeodesics::~ExactGeodesics() = default;
 
-/// The engine reuses its arrays between runs.
+/// Returns the engine, which reuses its arrays between runs.
 WindowPropagation& ExactGeodesics::GetEngine(ExactEngine kind)
 {
   if (!this->Engine || this->EngineKind != kind)

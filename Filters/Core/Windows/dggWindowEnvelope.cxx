@@ -220,9 +220,9 @@ private:
     reader.CutAt(x, atX);
   }
 
-  /// Both fronts begin at the same point: writes the shorter one, or both in sequence, up to the
-  /// first end. If only rounding decides, within the rounding error, the window with the nearer
-  /// image is used: the same width is a wider angle there, which would be missed otherwise.
+  /// Handles fronts that begin at the same point: writes the shorter one, or both in sequence, up
+  /// to the first end. If only rounding decides, within the rounding error, the window with the
+  /// nearer image is used: the same width is a wider angle there, which would be missed otherwise.
   void ResolveOverlap()
   {
     const Window& a = this->A.Front;

@@ -211,7 +211,7 @@ dgg::Status DGGPartedUpdate::CheckMemory(
 }
 
 //------------------------------------------------------------------------------
-/// On the first process: runs the step and computes the results of all parts.
+/// Runs the step and computes the results of all parts. Only called on the first process.
 dgg::Status DGGPartedUpdate::Compute(vtkInformationVector** inputs, vtkInformationVector* outputs,
   bool passesSurface, const Step& step)
 {

@@ -36,8 +36,8 @@ public:
   /// number of parts of each. Fails there if a part arrives damaged; the remaining parts are
   /// received nevertheless.
   dgg::Status Gather(std::vector<DGGSurfacePart>& parts, std::vector<std::size_t>& counts) const;
-  /// Inverse of Gather(): sends the results of all parts from the first process to the processes of
-  /// the parts.
+  /// Sends the results of all parts from the first process to the processes of the parts; the
+  /// inverse of Gather().
   void Scatter(const std::vector<std::size_t>& counts, std::vector<DGGPartResult>& results) const;
 
 private:
