@@ -30,7 +30,7 @@ struct VTKDGGFILTERSCOMMON_EXPORT DGGSourceSet
   int Port;                         ///< input port of Points
   std::string Role;                 ///< name of a point in messages
   std::string Property;             ///< property of ids; empty if there is none
-  std::string InitialDistanceArray; ///< of Points; empty for no initial distances
+  std::string InitialDistanceArray; ///< array of Points; empty for no initial distances
   /// Per id; null for zeros.
   const std::vector<double>* InitialDistances = nullptr;
   /// Ids of the points of the port that are used, in this order; null for all.

@@ -135,7 +135,7 @@ private:
   vtkMTimeType GapsBuildTime;              // build time of the mesh that was checked for gaps
   vtkMTimeType QualityTime;                // build time of the mesh of QualityReasons
   std::set<std::string> QualityReasons;    // reported for this mesh
-  std::vector<std::string> OutputWarnings; // of the outputs filled so far
+  std::vector<std::string> OutputWarnings; // warnings of the outputs filled so far
   std::unique_ptr<DGGMeshAdapter> Mesh;
   std::unique_ptr<DGGPartedUpdate> Parts;
 };

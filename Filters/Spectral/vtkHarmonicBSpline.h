@@ -55,7 +55,7 @@ public:
    */
   enum OrderType
   {
-    Harmonic = 1,  ///< of Voronoi cells
+    Harmonic = 1,  ///< functions of Voronoi cells
     Biharmonic = 2 ///< smoother, for values that are given at few positions
   };
 
@@ -69,7 +69,7 @@ public:
    *     psi_j(x) = A_j / A + sum over cells i of c_ij (g_j(x) - g_i(x)),
    *
    * with the areas A_j of cell and A of component, the mean g_j of the Green's function over cell
-   * j, and c_ij the length of the border of two cells by the distance of their sites; with
+   * j, and c_ij the length of the border of two cells over the distance of their sites; with
    * Dirichlet conditions without A_j / A. It has the mean A_j / A and vanishes within a few cells.
    * If all points are sites, it interpolates. On sheared or obtuse triangles values may be far
    * outside [0, 1], which IntrinsicDelaunay corrects; sums and solutions remain correct. Sites of

@@ -128,8 +128,8 @@ public:
   enum RefinementRegionType
   {
     Everywhere = 0, ///< all
-    NearCurves = 1, ///< those that touch a curve, and a ring around them for each further level
-    Cells = 2       ///< those of the cells that the array RefinementArrayName selects
+    NearCurves = 1, ///< triangles that touch a curve, plus one ring for each further level
+    Cells = 2       ///< triangles of the cells that the array RefinementArrayName selects
   };
 
   ///@{

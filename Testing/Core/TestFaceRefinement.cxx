@@ -384,7 +384,7 @@ TEST(CapSplitting, HeightsAddUp)
   mesh.AddTriangle(d, b, p);
   const Split split = SplitMesh(mesh);
   EXPECT_EQ(split.Caps, 2);
-  EXPECT_GE(split.Height, 1.4e-7); // of q above the first triangle, which now has q as a corner
+  EXPECT_GE(split.Height, 1.4e-7); // height of q above the first triangle, whose corner q is
   EXPECT_LE(split.Height, 2e-7);
 }
 

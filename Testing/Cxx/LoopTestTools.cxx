@@ -27,8 +27,6 @@ LoopLine ReadLoop(vtkPolyData* output, vtkIdType line)
     static_cast<vtkIdType>(output->GetCellData()->GetArray("LoopId")->GetComponent(line, 0));
   return loop;
 }
-
-/// Finds the ends of the common edge of two triangles. Returns false if there is none.
 }
 
 vtkSmartPointer<vtkPolyData> MakePrism(int sides, int rows)

@@ -52,7 +52,7 @@ FLEETING = re.compile(r"BuildTime|FileName|GetValue$")
 NUMBERS = (bool, int, float, str)
 PLACE = re.compile(r"\A(?:ERROR|Warning): In .*, line \d+\n")
 ADDRESS = re.compile(r" ?\(?0x[0-9a-fA-F]+\)?")
-SUBJECT = re.compile(r"\w+:(?: vtk\w+:)?")  # of a message: its kind and the filter
+SUBJECT = re.compile(r"\w+:(?: vtk\w+:)?")  # subject of a message: its kind and the filter
 INTEGER = re.compile(r"(?<![\w.])-?\d+(?![\w.])")
 
 
@@ -69,7 +69,7 @@ class Messages:
 
     def add(self, kind, text):
         text = ADDRESS.sub("", PLACE.sub("", text or ""))
-        text = text.split("for request:")[0].strip()  # what follows has times
+        text = text.split("for request:")[0].strip()  # the remainder contains times
         for folder in self.folders:
             text = text.replace(folder, "FOLDER")
         self.texts.append(f"{kind}: {text}")

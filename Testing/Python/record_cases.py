@@ -21,7 +21,7 @@ from vtkmodules.vtkIOCore import vtkWriter
 from vtkmodules.vtkIOPLY import vtkPLYReader
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLPolyDataWriter
 
-ACCURACY = 0.05  # of the graph in files
+ACCURACY = 0.05  # accuracy of the graph in files
 SMALL, MIDDLE, LARGE = 2500, 7000, 15_000  # most points of slow cases
 CONSTRUCTIONS = ["Guaranteed", "OneRelay", "Indirect", "SaddleVertexGraph"]
 SCHEMES = ["A", "B", "C"]
@@ -31,7 +31,7 @@ FILES = """
     awkward/capsule_degenerate fandisk blade_aniso awkward/pig_pinched kitten aneurysm
     clouds/kitten clouds/milk_carton clouds/bunny_points clouds/rops_scan clouds/lidar_samp11
 """.split()
-SEEDS = range(20, 34)  # of generated meshes, one of each family
+SEEDS = range(20, 34)  # generated meshes, one of each family
 
 
 class Scene:

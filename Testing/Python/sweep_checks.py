@@ -18,7 +18,7 @@ from sweep_trial import pieces_of, polygon_areas, to_triangles, with_points
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 
-ACCURACY = 0.05  # of the graph
+ACCURACY = 0.05  # accuracy of the graph
 CHORD = 2e-3  # largest distance of isolines from their curves, relative to the mean edge
 SLOW = 1000  # largest number of points for slow checks
 LEVELS = np.linspace(0.05, 0.95, 10)

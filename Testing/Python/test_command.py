@@ -490,7 +490,7 @@ class Command(support.Test):
             self.assertEqual(result.returncode, 0, result.stderr)
             self.assertEqual("isolines every" in result.stdout, name == "ExactDistance")
             images.append(support.pixels(picture))
-        left = np.arange(1600) < 1280  # of the scalar bar, whose title is the name
+        left = np.arange(1600) < 1280  # left of the scalar bar, whose title is the name
         differs = (images[0] != images[1]).any(axis=(0, 2))
         self.assertTrue(differs.any() and not differs[left].any())
         ink = [np.count_nonzero(image[:, left].max(axis=2) < 60) for image in images]

@@ -526,5 +526,5 @@ class Command(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    warnings.simplefilter("ignore", RuntimeWarning)  # of a path that is not there
+    warnings.simplefilter("ignore", RuntimeWarning)  # warning about a missing path
     unittest.main()

@@ -165,7 +165,7 @@ def _read_by_nibabel(path, extension, name):
             image = nibabel.load(path)
             return Mesh(image.agg_data("pointset"), image.agg_data("triangle"))
         return Mesh(*nibabel.freesurfer.read_geometry(path))
-    except Exception as error:  # of its parsers, which have no common class
+    except Exception as error:  # errors of its parsers have no common class
         raise ValueError(f"nibabel cannot read the file ({error})") from None
 
 

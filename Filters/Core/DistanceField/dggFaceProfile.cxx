@@ -193,7 +193,7 @@ void FaceProfile::SetUpModels()
     }
   }
   double raise = 0.0;
-  double excess = 0.0; // of differences between corners beyond their distance
+  double excess = 0.0; // largest excess of differences between corners over their distance
   for (int k = 0; k < 3; ++k)
   {
     raise = std::max(raise, LargestOf(this->Missing[k]));

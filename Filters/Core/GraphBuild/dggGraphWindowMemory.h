@@ -36,7 +36,7 @@ public:
   /// An edge through which a window enters a face.
   struct Passage
   {
-    Id HalfEdge;     ///< of the face
+    Id HalfEdge;     ///< half-edge of the face
     bool IsReversed; ///< true if the edge of the window runs opposite to HalfEdge
     Id Origin;       ///< ends of the edge, ids of the table
     Id Destination;
@@ -81,10 +81,10 @@ private:
     bool IsReversed;
     double Begin;
     double End;
-    Point2 AtBegin; ///< in the plane of the window
+    Point2 AtBegin; ///< position of Begin, in the plane of the window
     Point2 AtEnd;
     Image Source;
-    std::array<Id, 3> Corners; ///< of the previous face: ends of the half-edge, third corner
+    std::array<Id, 3> Corners; ///< previous face: ends of the half-edge, third corner
     std::array<Image, 3> CornersAt;
   };
   struct Interval

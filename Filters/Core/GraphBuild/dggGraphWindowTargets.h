@@ -19,7 +19,7 @@ namespace dgg
 /// A point to which the shortest straight line is sought.
 struct GraphWindowTarget
 {
-  Id Face = NoId; ///< of the mesh
+  Id Face = NoId; ///< face of the mesh
   std::size_t Index = 0;
   std::array<double, 3> Barycentric{ { 0.0, 0.0, 0.0 } };
 };

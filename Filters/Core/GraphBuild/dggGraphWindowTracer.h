@@ -528,7 +528,7 @@ private:
   struct Cover
   {
     Id Relay;
-    double Cost; ///< of the vertex, by that relay
+    double Cost; ///< cost of the vertex by this relay
     bool IsCovered;
   };
   Cover FindCover(const GraphWindow& window, int side, const Point2& apex, double distance) const

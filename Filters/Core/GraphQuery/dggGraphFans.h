@@ -89,7 +89,7 @@ public:
 private:
   struct Vertex
   {
-    Offset Begin = 0; ///< of the row
+    Offset Begin = 0; ///< first edge of the row
     std::uint32_t Degree = 0;
     float Lead = 0.0f;     ///< minimum angle between arrival and departure; 0 allows all
     float Turn = 0.0f;     ///< total angle, the period of directions

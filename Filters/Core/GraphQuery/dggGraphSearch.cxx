@@ -146,7 +146,7 @@ void FinishTree(const SearchLabels& labels, SearchResult& result, std::vector<Tr
 /// Workspace of one search.
 struct SearchWorkspace
 {
-  SearchResult Result; ///< of a search from one of many sources
+  SearchResult Result; ///< result of a search from one of many sources
   std::vector<LabelOrigin> Origins;
   std::vector<TreeStep> Steps;
   MinimumHeap Heap;

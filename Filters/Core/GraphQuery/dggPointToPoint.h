@@ -23,7 +23,7 @@ struct PathGuides
   const TurnLimits* Limits = nullptr; ///< only with fans
   const Landmarks* Marks = nullptr;
   const double* Positions = nullptr; ///< x y z per vertex
-  double BucketWidth = 1.0;          ///< of distances
+  double BucketWidth = 1.0;          ///< range of distances per bucket
 };
 
 /// A* search (Hart, Nilsson and Raphael 1968), directed to the goal by lower bounds of the
@@ -76,7 +76,7 @@ private:
   PathGuides Guides;
   const std::vector<GraphSeed>* To = nullptr;
   Landmarks::Goal MarksGoal;
-  double Center[3] = {};     ///< of the goal
+  double Center[3] = {};     ///< center of the goal
   double CenterToGo = 0.0;   ///< lower bound of the distance from the center to the goal
   double SmallestToGo = 0.0; ///< lower bound everywhere
   double Best = Infinity;    ///< length of the shortest path so far

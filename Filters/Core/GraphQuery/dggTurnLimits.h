@@ -41,7 +41,7 @@ private:
   struct Vertex
   {
     float PerLength = 0.0f;   ///< decrease of the sine per unit of length; 0: no limit
-    float LongestEdge = 0.0f; ///< of the row
+    float LongestEdge = 0.0f; ///< longest edge of the row
   };
 
   std::vector<Vertex> Vertices;

@@ -104,7 +104,7 @@ void FindTurns(const LevelArc& arc, double level, const LevelEnd& from, const Le
   }
   const Line line(arc, from.Point, to.Point);
   const LevelPoint* best =
-    nullptr; // of consecutive points on one side of the level, the farthest from it
+    nullptr; // farthest from the level, of consecutive points on one side of the level
   bool isAbove = from.IsAbove;
   const auto finish = [&] {
     if (best)

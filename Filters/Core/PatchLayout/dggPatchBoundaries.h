@@ -48,9 +48,9 @@ struct PatchBoundaries
 /// Draws a layout on two surfaces such that the curves correspond: they do not cross or touch, they
 /// leave each landmark in the same order, and they divide both surfaces alike, so that each patch
 /// is a disk on both. The approach follows Praun, Sweldens and Schroeder, "Consistent mesh
-/// parameterizations", 2001: curves are traced one by one, short ones first, the curves of a
-/// spanning tree before all others, so that nothing is separated too early, and each starts and
-/// ends in the sector of its landmarks that the order requires. Here curves are exact shortest
+/// parameterizations", 2001: curves are traced one by one, short ones first. The curves of a
+/// spanning tree come before all others, so that nothing is separated too early. Each curve starts
+/// and ends in the sector of its landmarks that the order requires. Here curves are exact shortest
 /// paths on the surface cut open along the existing curves; a path that would touch an existing
 /// curve is traced again at a small distance from all of them.
 ///

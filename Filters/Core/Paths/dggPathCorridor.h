@@ -50,7 +50,7 @@ private:
 
   const SurfaceMesh& Mesh;
   FaceSelector Selector;
-  std::vector<Vertex> Vertices; // of the corridor
+  std::vector<Vertex> Vertices; // vertices of the corridor
   bool WasStopped = false;
   double Length = 0.0;
   double Detour = 0.0;

@@ -75,7 +75,7 @@ bool AppendTurn(
 struct TurnEnd
 {
   Id Face;
-  Id HalfEdge;  ///< of the face, one of its two edges at the vertex
+  Id HalfEdge;  ///< one of the two edges of the face at the vertex
   double Angle; ///< from that edge to the direction, in the face
 };
 

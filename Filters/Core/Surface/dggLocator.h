@@ -102,8 +102,8 @@ private:
 
   const double* Positions;
   CloudFrame Frame;    // of the points in Tree
-  std::vector<Id> Ids; // of the cloud, per element of Tree
-  std::vector<Id> Far; // of the cloud, one per position
+  std::vector<Id> Ids; // point ids in the cloud, per element of Tree
+  std::vector<Id> Far; // outliers of the cloud, one per position
   BoxTree Tree;
 };
 }

@@ -91,7 +91,7 @@ public:
 
 private:
   static constexpr Id Removed = -1;
-  static constexpr double Rounding = 1e-12; // of areas; the extent of the polygon is 1
+  static constexpr double Rounding = 1e-12; // rounding of areas; the extent of the polygon is 1
   static constexpr double SmallestEdge = 1e-9;
 
   struct Entry

@@ -52,7 +52,7 @@ struct Domain
   };
 
   KindType Kind = Surface;
-  double MergeTolerance = 0.0; ///< of a MergedSurface, as a fraction of the diagonal; else 0
+  double MergeTolerance = 0.0; ///< for MergedSurface, as a fraction of the diagonal; else 0
 
   bool operator==(const Domain& other) const
   {

@@ -45,7 +45,7 @@ struct DistanceResults
 struct DistanceNames
 {
   std::string Distance;
-  std::string Source;        ///< of the nearest sources; empty for none
+  std::string Source;        ///< array of nearest sources; empty for none
   std::string VirtualSource; ///< empty for none
 };
 

@@ -30,8 +30,8 @@ struct DGG_CORE_EXPORT MassDistribution
   int Port;             ///< input port of other points
   ///@}
 
-  InputArray Values{};                ///< of the surface; without a name if there are none
-  InputArray Masses{};                ///< of other points; without a name, each has mass 1
+  InputArray Values{};                ///< array of the surface; without a name if there are none
+  InputArray Masses{};                ///< array of other points; without a name, each has mass 1
   Offset NumberOfPlaces = 0;          ///< number of other points
   std::vector<SurfacePoint> Places{}; ///< where they are on the surface
 
@@ -46,7 +46,7 @@ struct EarthMoversTask
   bool IsIntrinsicDelaunay = false;
   bool AreDensities = true; ///< meaning of MassDistribution::Values; otherwise masses
   bool Normalizes = true;
-  Offset NumberOfCells = 0; ///< of the input, of any type
+  Offset NumberOfCells = 0; ///< cells of the input, of any type
 
   ///@{
   /// Results: the distance, a lower bound, and the gap between them relative to the distance.

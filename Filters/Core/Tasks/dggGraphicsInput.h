@@ -28,10 +28,10 @@ struct GraphicsInput
   /// Lines of input port 1.
   CellArrays Lines;
   Offset FirstLine = 0;     ///< cell id of the first line
-  Offset NumberOfCells = 0; ///< of any type
+  Offset NumberOfCells = 0; ///< cells of any type
   Offset NumberOfPoints = 0;
   const double* Points = nullptr; ///< x y z each
-  InputArray CurveType;           ///< of cells
+  InputArray CurveType;           ///< cell array
   GraphicsArray LeftColor;
   GraphicsArray RightColor;
   GraphicsArray Strength;
@@ -42,7 +42,7 @@ struct GraphicsInput
 
   ///@{
   /// Cell arrays of the surface. An array without a name is not used.
-  Offset NumberOfSurfaceCells = 0; ///< of any type
+  Offset NumberOfSurfaceCells = 0; ///< cells of any type
   InputArray Region;
   InputArray RegionStrength;
   InputArray Refinement;

@@ -34,7 +34,7 @@ struct GraphicsSettings
   double BytesPerPoint = 0.0;
   double BytesPerCell = 0.0;
   ///@}
-  std::string MemoryRemedy; ///< what to do besides raising the memory limit
+  std::string MemoryRemedy; ///< action besides raising the memory limit
 };
 
 /// Colors a surface. The cut and factorized surface is kept while curves and settings are the same;

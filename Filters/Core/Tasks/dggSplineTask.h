@@ -28,7 +28,7 @@ public:
 
   ///@{
   /// Inputs, released at the end of Run(). An array without a name is not requested.
-  InputArray RightHandSide;       ///< of the surface
+  InputArray RightHandSide;       ///< array of the surface
   InputArray SurfaceValues;       ///< values of sites that are points of the surface
   InputArray PointValues;         ///< values of other sites, with the same name
   std::vector<Offset> GivenIds;   ///< sources: points of the surface, then others

@@ -168,7 +168,7 @@ const double* WriteCurves(
   PointWriter writer(context, numberOfPoints, false, output);
   double* const arcLengths = output.PointData.Add<double>("ArcLength", numberOfPoints);
 
-  std::size_t first = 0; // of the points of the curve
+  std::size_t first = 0; // index of the first point of the curve
   Offset* ids = output.Lines.Points.Data();
   output.Lines.Offsets[0] = 0;
   for (std::size_t c = 0; c < curves.size(); ++c)

@@ -21,7 +21,7 @@ struct TaskContext
 {
   const PreparedSurface& Surface;
   MemoryBudget Memory;
-  int NumberOfThreads = 1;   ///< of Parallel
+  int NumberOfThreads = 1;   ///< threads of Parallel
   ProgressCallback Progress; ///< callable from any thread; returns false to abort
   ParallelFor Parallel;
   /// Returns the polygons and strips of the input, without its points. They are converted at the

@@ -30,7 +30,7 @@ struct CloudPairs
   static constexpr double LeastRadiusInVoxels = 0.5;
 
   std::vector<Point3> Points;
-  std::vector<Point3> Normals; ///< of unit length, or 0 if unknown
+  std::vector<Point3> Normals; ///< unit vectors, or 0 if unknown
   std::vector<double> Radii;   ///< ball radii of the band
   std::vector<float> Reaches;  ///< maximum edge length per point
   /// Local spacing: square root of the area per point.

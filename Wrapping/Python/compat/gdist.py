@@ -76,4 +76,4 @@ def _matrix(vertices, triangles, points, max_distance, is_one_indexed):
         values.append(distances[near])
     offsets = np.concatenate([[0], np.cumsum(sizes)])
     parts = np.concatenate(values), np.concatenate(targets), offsets
-    return csr_matrix(parts, shape=(count, count)).T  # of a symmetric matrix, in columns
+    return csr_matrix(parts, shape=(count, count)).T  # the matrix is symmetric: stored by columns
