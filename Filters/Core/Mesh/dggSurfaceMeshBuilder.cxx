@@ -25,7 +25,7 @@ constexpr double LeastSlackOfParts = 0.5;
 constexpr double LengthAgreement = 1e-9;
 /// Rounding errors of lengths, as a fraction of the longest edge.
 constexpr double LengthRounding = 1e-12;
-/// Squares and products of four lengths must stay within the range of double.
+/// Range of extents for which squares and products of four lengths do not overflow or underflow.
 constexpr double SmallestExtent = 1e-70;
 constexpr double LargestExtent = 1e70;
 

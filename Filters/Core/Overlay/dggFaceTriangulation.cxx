@@ -497,7 +497,7 @@ void FaceTriangulation::MakeDelaunay()
   this->Improve(edges);
 }
 
-/// Makes unconstrained edges Delaunay, and neighboring edges when they change.
+/// Flips unconstrained edges that are not Delaunay, and rechecks the neighbors of each of them.
 void FaceTriangulation::Improve(std::vector<int>& edges)
 {
   std::size_t budget = 64 * this->Triangles.size(); // rounding could cause cycles

@@ -152,8 +152,8 @@ void PathCorridor::Grow()
   }
 }
 
-/// Returns the position of the apex behind an edge, on the other side of the edge than its own
-/// apex.
+/// Returns the position of the apex of entry. It is on the opposite side of the edge from the apex
+/// of exit.
 Point2 PathCorridor::PlaceBehind(Id exit, Id entry)
 {
   const Point2& a = this->At(this->Mesh.Origin(entry)).Place;

@@ -56,9 +56,9 @@ struct PoissonOptions
 /// connect all their fans, and orientation is irrelevant. In components without given values,
 /// sources are balanced (PoissonWeights), because total inflow and outflow must agree, and the
 /// solution has mean 0. Vertices without a face get 0. Elements with cotangents beyond 1e6 are
-/// softened, see CotanLaplacian. If these are not just a few, but carry more than 1 % of the energy
-/// of a solution, Factorize() fails; if this concerns a small component only, sources in that
-/// component are rejected.
+/// softened, see CotanLaplacian. If softened elements carry more than 1 % of the energy of a
+/// solution, Factorize() fails; if this concerns a small component only, sources in that component
+/// are rejected.
 class DGG_CORE_EXPORT PoissonSolver
 {
 public:

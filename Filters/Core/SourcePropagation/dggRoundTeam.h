@@ -120,7 +120,7 @@ private:
     alignas(64) std::atomic<Offset> Done{ 0 }; ///< number of chunks completed by this thread
   };
 
-  /// Signals the end to other members, also on exceptions.
+  /// Signals the end to the other members when destroyed, also on exceptions.
   struct End
   {
     RoundTeam& Team;

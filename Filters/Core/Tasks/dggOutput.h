@@ -31,7 +31,7 @@ struct OutputArray
   ValueBuffer Values; ///< tuple by tuple
 };
 
-/// Arrays of points, of cells or of a whole output.
+/// Arrays of points, of cells or of an entire output.
 class OutputArrays : public std::vector<OutputArray>
 {
 public:

@@ -115,7 +115,8 @@ protected:
   bool HasTargets(Id f) const { return !this->Targets.empty() && this->TargetFlags[f] != 0; }
   /// Updates the targets in the face of h that a window reaches.
   void OfferTargets(Id h, const Window& window);
-  /// Windows and labels beyond this distance are ignored. Shrinks as targets are reached.
+  /// Returns the distance beyond which windows and labels are ignored. It shrinks as targets are
+  /// reached.
   double GetRadius() const { return this->Radius; }
   void UpdateRadius();
   /// Updates the peak memory, given the bytes that the engine holds without stored windows. Returns
