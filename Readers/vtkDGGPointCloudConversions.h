@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Clouds of the Point Cloud Library to vtkPolyData and back. The only header that includes PCL (of
-/// points and clouds, libpcl_common).
+/// Conversion of clouds of the Point Cloud Library to vtkPolyData and back. The only header that
+/// includes PCL (libpcl_common).
 ///
 /// <b>Input and output</b>. Fields and arrays correspond as in vtkDGGPointFields.h. Width, height,
 /// `sensor_origin_` and `sensor_orientation_` are in the field data, `is_dense` follows from the

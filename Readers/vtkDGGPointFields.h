@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Point clouds as fields (x, y, z, intensity and so on, as in PCL and in PCD files), to and from
-/// vtkPolyData. PCD files and vtkDGGPointCloudConversions.h share this; it needs no PCL.
+/// Conversion of point clouds between fields (x, y, z, intensity and so on, as in PCL and in PCD
+/// files) and vtkPolyData, for PCD files and for vtkDGGPointCloudConversions.h. Needs no PCL.
 ///
 /// <b>Input and output</b>. Fields and arrays correspond as in vtkPCDReader and vtkPCDWriter: the
 /// coordinates, `Normals`, `RGB` and `RGBA` by their meaning, all others by name, type and number

@@ -2,14 +2,14 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# Install the Debian packages into a clean Debian 12, use them as a stranger would (Python, shell,
-# C++, or ParaView), and remove them without a trace. To be run by root where there is debootstrap;
-# it downloads a gigabyte the first time.
+# Install the Debian packages into a clean Debian 12, use them (Python, shell, C++, or
+# ParaView), and remove them completely. To be run by root where debootstrap is installed. Downloads
+# a gigabyte the first time.
 #
 # Usage: Testing/packages.sh [--paraview] PACKAGES FOLDER [MESH]
-#   --paraview  the package of the plugin, which is not for the system that has the others
+#   --paraview  test the package of the plugin, in a system without the other packages
 #   PACKAGES    folder of the .deb files, build/package/packages or build/paraview/packages
-#   FOLDER      where to make the systems; what was downloaded stays there
+#   FOLDER      where to make the systems; downloads stay there
 #   MESH        a .ply file (default: a small one)
 
 set -euo pipefail
@@ -21,7 +21,7 @@ fi
 source "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
 
 system=system
-# What a stranger has besides.
+# Packages that the system has before the installation.
 present=(build-essential cmake bash-completion man-db xauth xvfb)
 if [ "$1" = --paraview ]; then
   shift
@@ -33,7 +33,7 @@ mkdir -p "${2:?FOLDER is missing}"
 folder="$(cd "$2" && pwd)"
 mesh="$(realpath "${3:-$DGG_ROOT/Testing/Data/bumpy.ply}")"
 
-# shown COMMAND: run it in the system, and say what it was and how long it took.
+# shown COMMAND: run it in the system, and print the command and its time.
 shown() {
   printf '\n%s\n' "$1" | sed '2,$s/^/$ /'
   local start
@@ -41,7 +41,7 @@ shown() {
   dgg_in_root "$1"
   echo "# $((($(date +%s%N) - start) / 1000000)) ms"
 }
-# Files and folders but for what package managers and the kernel write.
+# list: print files and folders, except those that package managers and the kernel write.
 list() {
   dgg_in_root "find / -xdev \\( -path /proc -o -path /var/cache -o -path /var/log -o -path /var/lib/apt \
     -o -path /var/lib/dpkg -o -path /srv -o -path /tmp \\) -prune -o -print" | sort

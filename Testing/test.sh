@@ -5,9 +5,9 @@
 # Build with tests and run them. Missing Debian packages are installed first.
 #
 # Usage: Testing/test.sh [--all] [CTEST ARGUMENTS]
-#   --all                  also what takes long, independent implementations, the examples, the
-#                          installation, the benchmarks and, where ParaView can be had, its plugin
-#   DGG_EXTRA_DATA=FOLDER  with --all, also the real meshes of that folder
+#   --all                  also run long tests, comparisons with other libraries, the examples, the
+#                          installation, the benchmarks and, if ParaView is available, its plugin
+#   DGG_EXTRA_DATA=FOLDER  with --all, also test the real meshes in that folder
 
 set -euo pipefail
 

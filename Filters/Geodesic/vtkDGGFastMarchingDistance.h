@@ -10,9 +10,9 @@
  *
  * <b>Input and output</b>. Same as for vtkGeodesicDistanceAlgorithm. On clouds, source points may
  * be beside the cloud (see Filters/PointCloud/README.md); outside the band they start at the
- * closest point, with the distance to that point. Not reached are parts that the band does not
- * connect and, unless a source is there, outliers (see Filters/PointCloud/README.md) and points
- * that are not finite. Copies of a point have one distance.
+ * closest point, with the distance to that point. Parts that the band does not connect to a source
+ * are unreached, as are outliers (see Filters/PointCloud/README.md) and points that are not finite,
+ * unless they are sources. Copies of a point have one distance.
  *
  * <b>Guarantee and cost</b>. Errors have no bound; the module page, Filters/Geodesic/Distances.md,
  * has figures and the behavior on thin parts and close layers. Preparation and memory are small on

@@ -11,7 +11,7 @@
  * Output 0 has a polyline per loop, which ends with its first point:
  *  - Cell data: `Length` (double); `LoopId`, index of the point or of the loop; `Angle` (double,
  *    radians), smallest angle of the loop at its points, pi for a closed geodesic; `Kinked`
- *    (int), 1 if that is below pi by more than 1e-5.
+ *    (int), 1 if `Angle` is below pi by more than 1e-5.
  *  - Point data: `FaceId`, `Barycentric`, `vtkOriginalPointIds`, `ArcLength`.
  *  - Field data: `LoopStatus` (int) per loop: 0 found; 1 contracted to a point (AroundHandles:
  *    has to pass a pinched vertex); 2 points of the rope are not connected. Loops that are not

@@ -124,8 +124,8 @@ public:
   std::string GetMeshReport() const;
 
   /**
-   * Returns the items of the mesh report as a table with one row; numbers of a surface are zero
-   * without one. The next call replaces the table. Columns:
+   * Returns the items of the mesh report as a table with one row; without a surface, the items of
+   * an empty mesh. The next call replaces the table. Columns:
    *  - NumberOfPoints, NumberOfTriangles: triangles are those in use;
    *  - NumberOfComponents: connected through shared points;
    *  - NumberOfBoundaryEdges, NumberOfBoundaryLoops: loops are closed chains of edges with one
@@ -137,12 +137,12 @@ public:
    *  - NumberOfDroppedFaces, with fewer than three distinct points; NumberOfDegenerateFaces, of
    *    near-zero area; NumberOfDuplicateFaces, on the points of an earlier face;
    *  - NumberOfIsolatedPoints, which no triangle uses; NumberOfCoincidentPoints, with the
-   *    coordinates of an earlier point; NumberOfCoincidentBoundaryPoints, those that the warning
-   *    counts; NumberOfMergedPoints;
+   *    coordinates of an earlier point; NumberOfCoincidentBoundaryPoints, see
+   *    MergeCoincidentPoints; NumberOfMergedPoints;
    *  - Mollification: length added to edges of triangles of near-zero area, in units of the
    *    coordinates;
-   *  - LargestCapHeight: largest height of removed triangles of near-zero area, stacked triangles
-   *    added up, in units of the coordinates. The surface has moved by at most this height;
+   *  - LargestCapHeight: largest height of removed triangles of near-zero area, summed over stacked
+   *    triangles, in units of the coordinates. The surface has moved by at most this height;
    *  - MeanAnisotropy, MedianAnisotropy: see GetMeanAnisotropy().
    */
   vtkTable* GetMeshReportTable();

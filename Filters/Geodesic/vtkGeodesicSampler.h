@@ -16,8 +16,8 @@
  * of a point of the input from the samples so far. It never increases, and is infinite until every
  * component has a sample; components are sampled first.
  *
- * On a cloud samples are points of it, and initial samples become the closest ones. Points that no
- * polygon uses, or that are connected to no other point, are skipped.
+ * On a cloud, samples are points of the cloud; initial samples move to the closest points. Points
+ * that no polygon uses, or that are connected to no other point, are skipped.
  *
  * <b>Guarantee and cost</b>. Every point of the input is within the last CoveringRadius of a
  * sample. Samples other than initial ones are at least CoveringRadius / (1 + accuracy) from all

@@ -98,7 +98,7 @@ public:
   /**
    * Cell arrays of the surface. Cells with the same number other than 0 in the first array form a
    * region; the second array contains the strength of the region at the region's first cell.
-   * Defaults: none (null or ""), and `RegionStrength`.
+   * Default of the first array: none (null or ""). Default of the second array: `RegionStrength`.
    */
   vtkDGGStringMacro(RegionArrayName);
   vtkDGGStringMacro(RegionStrengthArrayName);

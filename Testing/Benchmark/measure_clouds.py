@@ -358,7 +358,7 @@ def measure_guards(options):
         "noise, 1 % of the box": (sphere(count, noise=0.02), {}),
         "density 10 : 1": (sphere(count, density=10.0), {}),
         "holes": (with_holes(count), {}),
-        "two sheets, 3 h apart": (
+        "two layers, 3 h apart": (
             sheets(count, 3.0 * SHEETS_OFFSET / voxels),
             {"OffsetInVoxels": SHEETS_OFFSET, "Resolution": voxels},
         ),
@@ -547,7 +547,7 @@ def guard_table(results):
 
     def errors(scheme):
         # Balls of a given radius show only that layers remain disconnected.
-        return lambda row: DASH if "sheets" in row["cloud"] else errors_text(row[scheme]["error"])
+        return lambda row: DASH if "layers" in row["cloud"] else errors_text(row[scheme]["error"])
 
     def counts(title, form, *keys):
         return (
@@ -560,7 +560,7 @@ def guard_table(results):
         column("noise found", "{:.2g}", schemes[-1] if schemes else "C", "noise"),
         *((f"{scheme}, arcs: mean / 99.9 % / max", errors(scheme)) for scheme in schemes),
         counts("unreached", unreached_text, "error"),
-        counts("edges between sheets", in_form(str), "false edges"),
+        counts("edges between layers", in_form(str), "false edges"),
         counts("components", str, "components"),
     )
     return listing(columns, rows)
@@ -574,14 +574,14 @@ def speed_table(results):
         column("CPU", time_text, "cpu"),
         column("threads", str, "threads"),
         DEGREE,
-        column("its size", bytes_text, "bytes"),
+        column("graph size", bytes_text, "bytes"),
         column("peak: predicted", bytes_text, "predicted"),
         column("measured", bytes_text, "peak"),
         column("query", time_text, "query"),
         ERRORS,
         column("graph of the mesh (CPU)", time_text, "mesh", "build"),
-        column("query there", time_text, "mesh", "query"),
-        column("error there", errors_text, "mesh", "error"),
+        column("query on the mesh", time_text, "mesh", "query"),
+        column("error on the mesh: mean / 99.9 % / max", errors_text, "mesh", "error"),
     )
     return listing(columns, results["speed"])
 

@@ -2,8 +2,8 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# Build the benchmark programs, run one beside the peers, and make tables of it. Missing Debian
-# packages are installed first.
+# Build the benchmark programs, run one of them and its peers, and write tables of the results.
+# Missing Debian packages are installed first.
 #
 # Usage: Testing/Benchmark/run.sh [exact] [--out DIR] [MESH...] [OPTIONS OF BenchmarkExact]
 #        Testing/Benchmark/run.sh first [--out DIR] [--data DIR] [--readme] MESH...
@@ -22,44 +22,44 @@
 #        Testing/Benchmark/run.sh passrate [--out DIR] FOLDER [OPTIONS OF passrate.py]
 #        Testing/Benchmark/run.sh compare [--out DIR] MESH [OPTIONS OF vtkdgg compare]
 #   exact     the exact solver: writes exact.json and exact.md
-#   first     how soon each distance filter answers on a new mesh, and again: writes first.json and
-#             first.md
-#   graph     graphs of all rules and accuracies, and queries of them: writes graph.json, graph.md
+#   first     time of each distance filter to the first answer on a new mesh, and to further ones:
+#             writes first.json and first.md
+#   graph     graphs of all rules and accuracies, and their queries: writes graph.json, graph.md
 #             and error_against_degree.png (needs matplotlib)
-#   local     queries about a few points on meshes of growing size, beside SciPy and gdist: writes
+#   local     local queries on meshes of growing size, compared with SciPy and gdist: writes
 #             local.json and local.md
-#   path      what a graph gives: paths, samples, Voronoi cells, a matrix: writes path.json
+#   path      paths, samples, Voronoi cells and a matrix by graphs: writes path.json
 #             and path.md
-#   isolines  isolines by all methods, beside vtkContourFilter: writes isolines.json and isolines.md
-#   cloud     graphs of point clouds: their errors with all schemes, fast marching beside, clouds
-#             that are not easy, parameters varied, and what 200K points take; the vertices of
-#             meshes are measured as clouds: writes cloud.json, cloud.md and cloud_error.png (needs
+#   isolines  isolines by all methods and vtkContourFilter: writes isolines.json and isolines.md
+#   cloud     graphs of point clouds: errors with all schemes and of fast marching, difficult
+#             clouds, varied parameters, and the cost at 200K points; the vertices of meshes are
+#             measured as clouds: writes cloud.json, cloud.md and cloud_error.png (needs
 #             matplotlib)
-#   spectral  Green's functions and what is made of them: times and memory beside other libraries:
-#             writes spectral.json and spectral.md
+#   spectral  Green's functions and quantities based on them: times and memory, compared with other
+#             libraries: writes spectral.json and spectral.md
 #   spheres   errors of Green's functions and B-splines on spheres: writes spheres.json, spheres.md
 #             and greens_convergence.png (needs matplotlib)
-#   thesis    the tables and figures of the thesis, published figures beside ours: writes a folder
-#             thesis with JSON and pictures, and thesis.md there (needs matplotlib)
-#   passrate  errors of graphs of all meshes of a folder, relative to ε: writes passrate.json,
+#   thesis    the tables and figures of the thesis, published values and ours: writes a folder
+#             thesis with JSON, pictures and thesis.md (needs matplotlib)
+#   passrate  errors of graphs of all meshes in a folder, relative to ε: writes passrate.json,
 #             passrate.md and passrate.png
 #   compare   the errors of all methods on one mesh, as maps and histograms: writes a folder compare
 #             with methods.png
 #   --out     folder of the results (default: out/benchmark in the source tree)
-#   --data    folder with bunny, armadillo, fertility, kitten and gargoyle (.ply), for isolines igea
-#             as well, to be measured; for first with bunny, armadillo, gargoyle, fandisk,
+#   --data    folder of meshes (.ply) to measure: bunny, armadillo, fertility, kitten and gargoyle,
+#             for isolines also igea; for first with bunny, armadillo, gargoyle, fandisk,
 #             blade_aniso, igea and terrain_andes; for clouds with igea, terrain_andes (a
 #             grid) and awkward/bunny_raw_5holes; for spectral with bunny and igea; for thesis with
 #             any of fertility, kitten, gargoyle, bunny, armadillo and blade_aniso
-#   --full    of clouds: a sphere of 655K points as well, which takes about ten minutes more; of
-#             the thesis: larger models, which takes hours; exhibits that are finished are kept
-#   --keep    of the thesis: keep finished exhibits of earlier runs without --full as well
-#   --exhibits  of the thesis: only these, T3.4,F3.9,...
+#   --full    for cloud: also a sphere of 655K points, which takes about ten minutes more; for
+#             thesis: larger models, which takes hours; finished exhibits are kept
+#   --keep    for thesis: keep finished exhibits of earlier runs, also without --full
+#   --exhibits  for thesis: only these, T3.4,F3.9,...
 #   --libigl  folder with the headers of libigl, as a further peer of spectral
-#   --readme  put the tables into Testing/Benchmark/README.md and the plot into Examples/Images as
-#             well: first, local and spectral (no plot), graph, cloud, spheres; for spectral, draw
-#             Examples/Images/greens_function.png too; for thesis, write Testing/Benchmark/Thesis.md
-#             and its pictures to Testing/Benchmark/Images
+#   --readme  also write the tables to Testing/Benchmark/README.md and the plot to Examples/Images:
+#             for first, local and spectral (no plot), graph, cloud, spheres; for spectral, also draw
+#             Examples/Images/greens_function.png; for thesis, write Testing/Benchmark/Thesis.md and
+#             its pictures to Testing/Benchmark/Images
 # For example:
 #   Testing/Benchmark/run.sh
 #   Testing/Benchmark/run.sh scan.ply --growth=none --benchmark_filter=/T/

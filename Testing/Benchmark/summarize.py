@@ -49,7 +49,7 @@ PATTERNS = {
     "spectral": r"Spectral/(?P<mesh>[^/]+)/(?P<case>Greens/[A-Za-z]+|[A-Za-z]+)(?:/|$)",
 }
 PEERS = {
-    "Exact": "the exact solver",
+    "Exact": "exact solver of vtkDGG",
     "Heat": "heat method",
     "Marching": "fast marching",
     "HeatDirect": "heat method (CGAL)",
@@ -175,7 +175,7 @@ BUILDS = (
 QUERIES = (
     ("graph", title_of),
     time("cache", "Cache"),
-    column("its bytes per edge", tenths, "Cache", "cache_bytes_per_edge"),
+    column("cache bytes per edge", tenths, "Cache", "cache_bytes_per_edge"),
     time("cache + first query", "FirstQuery"),
     time("corrected", "Corrected"),
     time("certified", "Certified"),
@@ -233,7 +233,10 @@ def peer_table(run):
     order = list(PEERS)
     meshes = list(dict.fromkeys(row["mesh"] for row in rows))
     rows.sort(key=lambda row: (meshes.index(row["mesh"]), order.index(row["peer"])))
-    note = "The last columns divide by the graph with ε = 0.01 and corrected distances."
+    note = (
+        "The columns from query / graph to largest error are ratios to the graph with ε = 0.01 and "
+        "corrected distances."
+    )
     return listing(columns, rows, note)
 
 
@@ -285,7 +288,7 @@ def path_tables(run):
         MESH,
         time("landmarks (wall)", "Landmarks"),
         column("threads", number, "Landmarks", "threads"),
-        column("held after them", bytes_text, "Landmarks", "landmark_bytes"),
+        column("memory after landmarks", bytes_text, "Landmarks", "landmark_bytes"),
     )
     excess = joined(lambda value: digits(100.0 * value), "excess_mean", "excess_max")
     peers = (
@@ -341,12 +344,12 @@ def spectral_tables(run):
         MESH,
         ("vertices", lambda row: count_text(next(iter(list(row.values())[1:]))["vertices"])),
         time("factorization", "Factor"),
-        time("of that, analysis", "Factor", "analysis_seconds"),
+        time("of which analysis", "Factor", "analysis_seconds"),
         ratio("entries per vertex", ("Factor", "factor_entries"), ("Factor", "vertices"), significant),
         column("peak: predicted", bytes_text, "Factor", "predicted_bytes"),
         column("measured", bytes_text, "Factor", "peak_bytes"),
         time("one more column", "Column"),
-        ratio("in blocks of eight, each", ("Block", "seconds"), ("Block", "columns"), time_text),
+        ratio("per column, in blocks of eight", ("Block", "seconds"), ("Block", "columns"), time_text),
         time("biharmonic column", "Biharmonic"),
     )
     def radius(way):
@@ -357,7 +360,7 @@ def spectral_tables(run):
         time("singularity subtraction", "Greens/SingularitySubtraction"),
         radius("SingularitySubtraction"),
         time("regular parts interpolated", "Greens/RegularPart"),
-        time("with the columns it needs", "Greens/RegularPart", "first_seconds"),
+        time("including corner columns", "Greens/RegularPart", "first_seconds"),
         radius("RegularPart"),
         *(time(WAYS[way], f"Greens/{way}") for way in ("Localized", "Interpolated", "Vertex")),
     )
@@ -365,11 +368,11 @@ def spectral_tables(run):
         MESH,
         column("eigenpairs", number, "Eigenpairs", "pairs"),
         time("time", "Eigenpairs"),
-        column("known to be complete", true_text, "Eigenpairs", "complete"),
+        column("verified complete", true_text, "Eigenpairs", "complete"),
         time("earth mover's distance", "EarthMovers"),
         column("iterations", number, "EarthMovers", "iterations"),
-        column("gap of its bounds, %", percent, "EarthMovers", "gap"),
-        column("distance / geodesic one", "{:.4f}", "EarthMovers", "per_geodesic"),
+        column("gap between bounds, %", percent, "EarthMovers", "gap"),
+        column("distance / geodesic distance", "{:.4f}", "EarthMovers", "per_geodesic"),
     )
     return {
         "Factorizations and columns": listing(factors, rows),

@@ -133,7 +133,7 @@ def range_text(values, form=digits):
 def errors_text(errors):
     """Returns mean, 99.9th percentile and maximum in percent, and the number of unreached points."""
     parts = " / ".join(percent(errors[key]) for key in ("mean", "p999", "max"))
-    return parts + " %" + (f", {errors['missed']} missed" if errors.get("missed") else "")
+    return parts + " %" + (f", {errors['missed']} unreached" if errors.get("missed") else "")
 
 
 def vertices_text(count):

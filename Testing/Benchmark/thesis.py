@@ -35,16 +35,17 @@ of it:
 Testing/Benchmark/run.sh thesis --readme [--data FOLDER] [--full] [--exhibits T3.4,F3.9]
 ```
 
-Models of the thesis that are not public are replaced by public ones (`bunny.ply` of the folder) or by
-generated surfaces (`bumpy-5`: see [surfaces.py](exhibits/surfaces.py)). Therefore only errors and degrees
-are compared; times are ratios within one run. Errors are relative to exact distances along the same mesh,
-from vertices spread evenly over the list of vertices: mean, 99.9th percentile and maximum over all
-vertices and sources. ε is the accuracy of a graph. "Guaranteed" is our rule; "OneRelay" and "Indirect"
-are the published constructions, see [differences](Differences.md).
+Models of the thesis that are not public are replaced by public models of the data folder, such as
+`bunny.ply`, or by generated surfaces, such as `bumpy-5` (see [surfaces.py](exhibits/surfaces.py)).
+Therefore only errors and degrees are compared; times are ratios within one run. Errors are relative to
+exact distances on the same mesh. Sources are evenly spaced in the list of vertices. Columns of errors
+contain the mean, the 99.9th percentile and the maximum over all vertices and sources. ε is the accuracy of
+a graph. "Guaranteed" is our rule; "OneRelay" and "Indirect" are the published constructions, see
+[differences](Differences.md).
 
-Where a figure was printed and less is better, "reproduced" means within a factor of {SLACK:g} of it,
-"better" and "worse" beyond; for a range, beyond its ends. "Not comparable" are pictures, and values for
-other models or machines.
+Verdicts compare quantities of which less is better. "Reproduced" means within a factor of {SLACK:g} of the
+published value or range, "better" and "worse" mean outside of it. "Not comparable" marks pictures, and
+values for other models or machines.
 """
 
 

@@ -84,7 +84,7 @@ macro (dgg_add_package component package section purpose content)
   set(CPACK_DEBIAN_${dgg_name}_PACKAGE_SECTION "${section}")
   set(CPACK_COMPONENT_${dgg_name}_DESCRIPTION "geodesics on meshes and point clouds, ${purpose}
 vtkDGG computes geodesic distances, paths, isolines, Voronoi cells and more on
-triangle meshes and point clouds, exact or within a promised error.
+triangle meshes and point clouds, exact or within an error bound.
 ${content}")
   install(
     FILES "${dgg_folder}/copyright" "${dgg_folder}/changelog.gz"

@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Geodesics on meshes and point clouds, from the shell.
 
-Exit codes: 0, done; 1, there is no answer, or a promise is broken; 2, wrong input or usage; 130,
-interrupted.
+Exit codes: 0, success; 1, no result exists, or an error bound is violated; 2, wrong input or usage;
+130, interrupted.
 """
 
 import argparse
@@ -70,7 +70,7 @@ OPTIONS = {
     "source": {
         "action": "append",
         "metavar": places.POINT,
-        "help": "where distances start: a point id, coordinates on the surface, or "
+        "help": "source of the distances: a point id, coordinates on the surface, or "
         "face:ID:B0,B1,B2 with barycentric coordinates; may be repeated",
     },
     "sources": {"metavar": "ID,ID,...", "help": "point ids of several sources"},
@@ -81,7 +81,7 @@ OPTIONS = {
     "accuracy": {
         "type": float,
         "metavar": "E",
-        "help": "largest relative error, 1e-6 to 0.5 (default: that of the graph of the file; else "
+        "help": "largest relative error, 1e-6 to 0.5 (default: that of the graph in the file; else "
         "exact, and 0.01 where a graph is needed)",
     },
     "merge": {
@@ -94,7 +94,7 @@ OPTIONS = {
         "help": "largest distance of X,Y,Z from the surface, as a fraction of the diagonal "
         "(default: 0.01)",
     },
-    "cloud": {"action": "store_true", "help": "use the points only, also of a mesh"},
+    "cloud": {"action": "store_true", "help": "use only the points, even of a mesh"},
     "json": {
         "action": "store_true",
         "help": "print the answer as JSON, in which null is an infinite or missing number",
@@ -172,7 +172,7 @@ def make_parser():
         "--through",
         action="append",
         metavar=places.POINT,
-        help="a loop through this point; several times for several (default: around handles)",
+        help="a loop through this point; may be repeated (default: loops around handles)",
     )
     command.add_argument("--rope", action="store_true", help="one loop through all points")
     command.add_argument("--taut", action="store_true", help="pull the loops tight")
@@ -181,12 +181,12 @@ def make_parser():
     command.add_argument(
         "--method",
         choices=answers.METHODS[:2],
-        help="exact: right also inside long triangles (default: graph)",
+        help="exact: accurate also inside long triangles (default: graph)",
     )
     which = command.add_mutually_exclusive_group()
-    which.add_argument("--values", type=numbers, metavar="D,D,...", help="the distances")
-    which.add_argument("--every", type=float, metavar="D", help="or multiples of one distance")
-    which.add_argument("--count", type=int, help="or their number (default: 10)")
+    which.add_argument("--values", type=numbers, metavar="D,D,...", help="distances of the isolines")
+    which.add_argument("--every", type=float, metavar="D", help="multiples of one distance")
+    which.add_argument("--count", type=int, help="number of isolines (default: 10)")
     cells = "--number 50 --iterations 10 --out cells.vtp"
     command = add(answers.voronoi, *placed, example=cells)
     command.epilog += (
@@ -195,13 +195,18 @@ def make_parser():
     )
     which = command.add_mutually_exclusive_group()
     which.add_argument("--site", action="append", metavar=places.POINT, help="a site")
-    which.add_argument("--number", type=int, help="or how many, spread evenly (default: 20)")
-    command.add_argument("--iterations", type=int, default=0, help="move sites to the middle")
+    which.add_argument("--number", type=int, help="number of sites, spread evenly (default: 20)")
+    command.add_argument(
+        "--iterations",
+        type=int,
+        default=0,
+        help="number of times that sites move to the centers of their cells (default: 0)",
+    )
     points = "--number 500 --out samples.vtp"
     command = add(answers.sample, *built, out="points", example=points)
-    command.add_argument("--number", type=int, required=True, help="how many")
-    command.add_argument("--first", type=int, default=0, metavar="ID", help="the first one")
-    command.add_argument("--in-faces", action="store_true", help="also inside triangles")
+    command.add_argument("--number", type=int, required=True, help="number of samples")
+    command.add_argument("--first", type=int, default=0, metavar="ID", help="first sample")
+    command.add_argument("--in-faces", action="store_true", help="samples inside triangles, too")
     command = add(answers.greens, "source", "merge", "tolerance", out=values, example="--source 0")
     methods = ("SingularitySubtraction", "Localized", "Interpolated", "Vertex")
     command.add_argument("--method", choices=methods, default=methods[0])
@@ -223,7 +228,11 @@ def make_parser():
     numbered = {"out": "a picture", "keeps": ", numbered"}
     command = add(answers.explore, *built, **numbered, example="--source 0")
     command.epilog += "\n\nin the window:\n" + textwrap.indent(HELP, "  ")
-    command.add_argument("--source", metavar=places.POINT, help="where to begin (default: far out)")
+    command.add_argument(
+        "--source",
+        metavar=places.POINT,
+        help="first source (default: the point farthest from the center)",
+    )
     command = commands.add_parser(
         "compare",
         help="Compare methods: their errors, times and pictures",

@@ -122,7 +122,7 @@ class Scene:
 
     @property
     def sources(self):
-        """The places where distances start."""
+        """The sources of the distances."""
         return self.places if self.view == "voronoi" else self.places[:1]
 
     # The following five methods require an update afterwards.

@@ -49,8 +49,8 @@ class Graph(Queries):
         The rule that chooses the edges: "Guaranteed" (default), or for comparison "OneRelay",
         "Indirect", "SaddleVertexGraph" (which ignores `accuracy`).
     number_of_neighbors : int, optional
-        Number of nearest points that each point of a SaddleVertexGraph examines, at most all
-        points, which takes minutes for some thousand points. Default: 30.
+        Number of nearest points that each point of a SaddleVertexGraph may connect to. Examining
+        all points takes minutes for some thousand points. Default: 30.
     memory_limit : int, optional
         Largest size of the graph while it is built, and of the array of `matrix`, in bytes.
         Default: 70 % of the memory that is free at that time.
@@ -191,7 +191,7 @@ class Graph(Queries):
         Returns
         -------
         list of Isoline, or vtkPolyData
-            By increasing value; none for a value that no point has.
+            By increasing value; none for a value outside the range of the distances.
 
         Raises
         ------
@@ -224,7 +224,7 @@ class Graph(Queries):
         projection_tolerance: Optional[float] = None,
         as_polydata: bool = False,
     ) -> Union[List[Loop], vtkPolyData]:
-        """Closed geodesics: closed curves that are not longer than the curves next to them.
+        """Closed geodesics: closed curves that are locally shortest.
 
         Parameters
         ----------

@@ -52,8 +52,8 @@ class Queries(Matrices):
             As for the function `vtkdgg.distance`: point ids, coordinates, or tuples (face,
             (b0, b1, b2)).
         correction : bool, optional
-            True: the best estimate within the promised error. False: the length of a path in the
-            graph, which is never shorter than the exact distance; these are a metric.
+            True: the best estimate within the error bound. False: the length of a path in the
+            graph, which is never shorter than the exact distance; these lengths form a metric.
         maximum_distance : float, optional
             Points farther than this are not reached. Default: no limit.
         initial_distances : float or sequence of float, optional
@@ -113,9 +113,9 @@ class Queries(Matrices):
         straighten : bool, optional
             False: the path in the graph as it is, with small bends at some points.
         detour : float, optional
-            Several geodesics may connect two points. The shortest is chosen among those with
-            detours from the first one found of up to this fraction of its length, in [0, 0.1]; 0
-            takes the first one. Default: 1e-4.
+            Several geodesics may connect two points. The result is the shortest of those that
+            exceed the first one found by at most this fraction of its length, in [0, 0.1]; 0 takes
+            the first one. Default: 1e-4.
         projection_tolerance : float, optional
             As for `distance`.
         as_polydata : bool, optional
@@ -196,7 +196,7 @@ class Queries(Matrices):
         projection_tolerance: Optional[float] = None,
         as_polydata: bool = False,
     ) -> Union[Samples, vtkPolyData]:
-        """Evenly spread points: each is as far as possible from all before it.
+        """Evenly spread points: each is as far as possible from all earlier ones.
 
         Parameters
         ----------

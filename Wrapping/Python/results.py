@@ -20,7 +20,7 @@ __all__ = ["EarthMovers", "Isoline", "Loop", "Path", "Samples", "Voronoi"]
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
 class Path:
-    """A polyline on a surface, from start to end. Every piece lies in one triangle.
+    """A polyline on a surface, from start to end. Every segment lies in one triangle.
 
     Attributes
     ----------
@@ -60,7 +60,7 @@ class Path:
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
 class Loop:
-    """A closed polyline on a surface; the last point is the first one again.
+    """A closed polyline on a surface; the last point equals the first.
 
     Attributes
     ----------
@@ -93,7 +93,7 @@ class Isoline:
     Attributes
     ----------
     points : numpy.ndarray of float64, shape (k, 3)
-        The last one is the first one again unless the line ends at the boundary.
+        The last point equals the first unless the line ends at the boundary.
     value : float
         The distance, in the unit of the points.
     faces, barycentric, point_ids, arc_lengths : numpy.ndarray

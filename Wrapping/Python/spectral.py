@@ -202,7 +202,7 @@ def earth_movers(
     points, triangles : array_like, shapes (n, 3) and (m, 3), or one mesh
         As for `distance`.
     start, end : array_like of float, shape (n,), or surface points
-        Distribution before and after: a number for each point, or surface points with the mass 1
+        Initial and final distribution: a number for each point, or surface points with the mass 1
         each.
     density : bool, optional
         True if numbers of points are mass per area, false if they are masses. Default: True.
@@ -301,8 +301,8 @@ def interpolate(
     Raises
     ------
     ValueError, VTKError
-        As for `distance`; if there is not one value for each site, for sites in the same place, and
-        for parts of the surface without a site.
+        As for `distance`; also if there is not one value for each site, for two sites at the same
+        position, and for components without a site.
 
     See Also
     --------

@@ -37,12 +37,12 @@ SIDES = 1e-3  # distance from a curve within which flat triangles decide the sid
 
 
 class BothEnds(Exhibit):
-    """Searches between random pairs of vertices in a graph: vertices settled until the shortest path is
-    known, and how often the path of the published search is longer."""
+    """Searches between random pairs of vertices in a graph: the share of vertices settled until the path
+    is found, and of paths that are not the shortest."""
 
     name = "D1.1"
     title = "paths: A* instead of a search from both ends"
-    published = "a search from both ends that stops where they meet first."
+    published = "a search from both ends that stops where the two searches first meet."
     pairs = 60
     columns = (
         column("search", str, "name"),
@@ -86,8 +86,8 @@ class BothEnds(Exhibit):
         star, both = figures["searches"]["A*"], figures["searches"]["both ends"]
         return Verdict(
             BETTER if star["settled"] < both["settled"] and not star["wrong"] else WORSE,
-            f"A* settles {digits(both['settled'] / star['settled'])} times fewer vertices than a correct "
-            "search from both ends.",
+            "A correct search from both ends settles "
+            f"{digits(both['settled'] / star['settled'])} times as many vertices as A*.",
         )
 
 
@@ -142,14 +142,14 @@ class Links(Exhibit):
         is_kept = figures["error"]["max"] <= ACCURACY
         return Verdict(
             NOT_COMPARABLE if is_kept else WORSE,
-            "Nothing is changed, so several threads can query at the same time.",
+            "Mesh and graph are not changed, so several threads can query them simultaneously.",
         )
 
 
 class GreenSums(Exhibit):
-    """Two curves on parallels of a sphere, with colors on both sides; between the curves colors are linear
-    in artanh z. Errors at random fragments are in percent of the range, within two edges of a curve and
-    farther away. Times are per fragment, relative to the direct solution."""
+    """Two curves on parallels of a sphere define colors on both sides. Between the curves the exact colors
+    are linear in artanh z. Errors at random fragments are in percent of the range, within two mean edges
+    of a curve and farther away. Times are per fragment, relative to the direct solution."""
 
     name = "D1.3"
     title = "vector graphics: a direct solution instead of sums of Green's functions"
@@ -241,19 +241,19 @@ class GreenSums(Exhibit):
         last = figures[-1]
         return Verdict(
             BETTER if all(last["direct"][k] < last["sums"][k] for k in ("near", "far")) else WORSE,
-            "In sums, vertices next to a curve have the color of its side, as if the curve passed through "
-            "them. Each fragment needs a separate solution.",
+            "In sums, a vertex next to a curve has the color of its side of the curve, as if the curve passed "
+            "through the vertex. Each fragment needs a separate solution.",
         )
 
 
 class Flips(Exhibit):
-    """The heat method with intrinsic flips, and on a mesh that added vertices make Delaunay. Errors are
-    those at the original vertices. Times, of one source with all preparation, are those with added
-    vertices relative to those with flips."""
+    """The heat method with intrinsic flips, and on a mesh that is Delaunay by added vertices. Errors are
+    those at the original vertices. The time is that with added vertices relative to that with flips, for
+    one source with all preparation."""
 
     name = "D1.4"
     title = "heat: intrinsic flips instead of added vertices"
-    published = "heat on Delaunay meshes, which have more vertices; their number is not available."
+    published = "heat on Delaunay meshes with added vertices, whose number is not available."
 
     def measure(self, run):
         names = ["bumpy-3", "bumpy-3-stretched-2", "bumpy-3-stretched-8"]

@@ -16,15 +16,15 @@ NEAR, FAR = "error_local", "error_global"
 class Anywhere(Exhibit):
     """Relative L2 errors of Green's functions of poles inside faces: within 0.2 of the pole on all
     spheres, and everywhere on the finest sphere. The order is the slope of the logarithm of the error
-    over that of the mean edge. The method `vertex` takes the nearest vertex as the pole; its error after
-    subdivision is that of the next sphere."""
+    against that of the mean edge. The method `vertex` uses the nearest vertex as the pole; its error
+    after subdivision is that of the next sphere."""
 
     name = "F4.5"
     title = "Green's functions of points anywhere"
     also = {"F4.6": "vertex poles and subdivision as baselines", "F4.7": "convergence"}
     published = (
-        "22 to 25 % by interpolation, 0.01 % localized (Eq. 4.21), on a sphere of 48.6K vertices; curves of "
-        "the baselines, with errors of 22 to 25 %; errors of 50 random points within 0.2 that converge "
+        "22 to 25 % by interpolation and 0.01 % localized (Eq. 4.21), on a sphere of 48.6K vertices; curves "
+        "of the baselines, with errors of 22 to 25 %; errors within 0.2 of 50 random points, which converge "
         "between first and second order."
     )
 
@@ -47,10 +47,10 @@ class Anywhere(Exhibit):
     def verdict(self, figures):
         return Verdict(
             judged(figures["Localized"][FAR][-1][2], LOCALIZED),
-            "The word refers to the localized scheme. As printed it is no better than interpolation: its "
-            "constraint preserves distances to barycentric averages, and does not determine the strength of "
-            "the pole. The published normalization is unknown; it seems to include the pole, which our "
-            "measure excludes. Our default is singularity subtraction.",
+            "The verdict refers to the localized scheme. As printed, this scheme is no better than "
+            "interpolation: its constraint preserves distances to barycentric averages, but does not "
+            "determine the strength of the pole. The published normalization is unknown. It seems to include "
+            "the pole, which our measure excludes. Our default is singularity subtraction.",
         )
 
     def words(self, figures):

@@ -29,9 +29,9 @@ SHOWN = ("Apollonius0", "Apollonius2", "Sources", "Windows")
 
 
 class Errors(Exhibit):
-    """Mean errors in percent of isolines of exact distances, and gains over `vtkContourFilter`: |d - c| /
-    c, with the exact distance d at the midpoint of a segment and its level c, for 20 levels. The second
-    table varies the number k of Steiner points per edge."""
+    """Mean errors, in percent, of isolines of exact distances at 20 levels, and gains over
+    `vtkContourFilter`. The error of a segment is |d - c| / c, where d is the exact distance at its midpoint
+    and c its level. The second table varies the number k of Steiner points per edge."""
 
     name = "T5.4"
     title = "errors of isolines"
@@ -40,10 +40,10 @@ class Errors(Exhibit):
         "F5.15": "Steiner points",
         "F5.16": "isolines of several models",
     }
-    published = "with two Steiner points, and linear: " + "; ".join(
-        f"{model} {count_text(size)} {apollonius} and {linear} %"
+    published = "errors with two Steiner points and by linear interpolation: " + "; ".join(
+        f"{model} {count_text(size)}: {apollonius} and {linear} %"
         for model, size, apollonius, linear in PUBLISHED
-    )
+    ) + "."
 
     def measure(self, run):
         torus = f"torus-{run.pick(100, 320)}"
@@ -128,9 +128,10 @@ class Errors(Exhibit):
         powers = map(slope, self.by_surface(figures, "Apollonius2"))
         return Verdict(
             most_frequent(words),
-            "Published errors are those of models of about the same size. Virtual sources, our default, are "
-            f"{range_text(better)} times as accurate as the Apollonius method, whose error follows a power of "
-            f"{range_text(list(powers), '{:.2f}'.format)} of the number of vertices.",
+            "Errors are compared with the published errors of models of about the same size. Virtual "
+            f"sources, our default, are {range_text(better)} times as accurate as the Apollonius method. The "
+            "error of that method is a power of the number of vertices, with exponents of "
+            f"{range_text(list(powers), '{:.2f}'.format)}.",
         )
 
     def words(self, figures):
@@ -177,7 +178,7 @@ class SeveralSources(Exhibit):
 
 
 class ApproximateInput(Exhibit):
-    """Mean errors, in percent, of isolines of approximate distances. They contain the errors of the
+    """Mean errors, in percent, of isolines of approximate distances, including the errors of the
     distances."""
 
     name = "F5.18"

@@ -14,11 +14,11 @@ from .exhibit import NOT_COMPARABLE, Exhibit, Verdict
 
 
 class CloudDensity(Exhibit):
-    """Mean errors on random points of a sphere and of a torus (radii 1 and 0.4), several draws of each
-    number: graphs of scheme C with default tolerance and, for one draw, with a tenth of it, and fast
-    marching in the band. Mean errors of graphs are fitted by C (s/r)^p + F, all draws together: s is the
-    spacing, the square root of the area per point, r the smallest radius of curvature. Distances on the
-    torus are exact along a mesh of 205K vertices, from which the points are drawn."""
+    """Mean errors on random points of a sphere and of a torus (radii 1 and 0.4), with several draws of
+    each number of points. Methods are graphs of scheme C with the default tolerance and, for one draw,
+    with a tenth of it ("finer"), and fast marching in the band. C (s/r)^p + F is fitted to the mean errors
+    of all draws; s is the spacing (the square root of the area per point) and r the smallest radius of
+    curvature. Points of the torus are vertices of a mesh of 205K vertices, on which distances are exact."""
 
     name = "L1.1"
     title = "error of cloud distances against spacing"
@@ -109,10 +109,10 @@ class CloudDensity(Exhibit):
         gains = [2.0 ** methods["graph"].p for methods in self.fits(figures).values()]
         return Verdict(
             NOT_COMPARABLE,
-            f"With four times the points errors are {range_text(gains)} times smaller, down to a floor F "
-            "that is due to excluded edges (0 if the measured errors do not reach it). Fast marching follows "
-            "no such law: shortcuts at bends, which decrease with the width of the band, and differences of "
-            "first order, which lengthen paths, cancel in between.",
+            f"With four times the points, errors are smaller by a factor of {range_text(gains)}, down to a "
+            "floor F that is due to pruned edges (0 if the measured errors do not reach it). Fast marching "
+            "follows no such law: shortcuts at bends, which decrease with the width of the band, and first-order "
+            "differences, which lengthen paths, cancel at intermediate spacings.",
         )
 
 

@@ -20,9 +20,9 @@ ROUNDING = 1e-7  # smaller errors are drawn at this value
 
 
 class Unfolding(Exhibit):
-    """Distances of random pairs of vertices. GTU stores the exact distances between m samples, and unfolds
-    the geodesic triangles of two vertices into the plane. Our graphs are searched by A*, optionally with
-    straightened paths. Times are in units of an exact propagation on the same mesh."""
+    """Distances between random pairs of vertices. GTU stores the exact distances between m samples, and
+    unfolds the geodesic triangles of two vertices into the plane. Our graphs are searched by A*, optionally
+    with straightened paths. Times are in units of an exact propagation on the same mesh."""
 
     name = "R1.1"
     title = "pairs of vertices: geodesic triangle unfolding"
@@ -95,18 +95,18 @@ class Unfolding(Exhibit):
             NOT_COMPARABLE,
             f"With m = {theirs['parameter']} GTU takes {digits(theirs['build'] / ours['build'])} times as long "
             f"to prepare as the graph with ε = 0.01, and answers {digits(ours['query'] / theirs['query'])} times "
-            "as fast: a table for many queries that tolerate its errors, for which there is no bound.",
+            "as fast. GTU suits many queries that tolerate errors without a bound.",
         )
 
 
 class Merging(Exhibit):
-    """Adjacent windows are merged if this changes no distance by more than a fraction, the tolerance, of
-    it, accumulated along the path. Times and windows are relative to exact propagation."""
+    """Adjacent windows are merged if the relative change of each distance, accumulated along the path,
+    stays within the tolerance. Times and windows are relative to exact propagation."""
 
     name = "R1.2"
     title = "approximate propagation with an error parameter"
     published = (
-        "windows are merged within a tolerance, each merger separately; figures are not available."
+        "windows are merged within a tolerance that holds for each merge; figures are not available."
     )
     tolerances = ("0", "0.0001", "0.001", "0.01", "0.1")
     columns = (

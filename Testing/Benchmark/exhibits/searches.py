@@ -77,8 +77,8 @@ def pruned(run):
 
 
 class Pruning(Exhibit):
-    """Candidates of the indirect construction, and the edges that remain after pruning: by progress,
-    which is our rule, and by the published condition."""
+    """Candidate edges of the indirect construction, and the edges that remain after pruning by progress
+    (our rule) and by the published condition."""
 
     name = "T3.1"
     title = "pruning"
@@ -93,7 +93,7 @@ class Pruning(Exhibit):
         DEGREE,
         ERRORS,
         ("largest / ε", lambda row: digits(relative_maximum(row))),
-        ("share of the time", lambda r: "–" if r["rule"] == "None" else whole_percent(r["share"])),
+        ("time share of pruning", lambda r: "–" if r["rule"] == "None" else whole_percent(r["share"])),
     )
 
     def measure(self, run):
@@ -107,8 +107,8 @@ class Pruning(Exhibit):
         fits = 62 / 1.25 <= row["degree"] <= 84 * 1.25
         return Verdict(
             REPRODUCED if fits else NOT_COMPARABLE,
-            f"The published condition gives degree {row['degree']:.0f} at ε = 1e-3. The procedure as "
-            "printed removes all edges; ours has only its condition.",
+            f"The published condition gives degree {row['degree']:.0f} at ε = 1e-3. Only this condition is "
+            "used here, because the procedure as printed removes all edges.",
         )
 
 
@@ -137,10 +137,10 @@ def queues(run):
 
 
 class Queues(Exhibit):
-    """Queue entries per vertex of the mesh until no label changes: first in, first out (FIFO); small
-    labels first (SLF); large labels last (LLL); both. Searches relax all edges or the edges of fans: as
-    narrow as published, or as wide as two successive edges of a path may deviate. The second table has
-    the times along all edges of the first rule, relative to its first search."""
+    """Queue entries per vertex until no label changes, for four queues: first in, first out (FIFO), small
+    labels first (SLF), large labels last (LLL), and both. Searches relax all edges, or only the edges of
+    fans. Fans are as narrow as published, or as wide as two successive edges of a path may deviate. The
+    second table has the times of OneRelay with all edges, relative to the first of them."""
 
     name = "T3.2"
     title = "queues of label correcting"
@@ -191,10 +191,11 @@ class Queues(Exhibit):
         missed = [row["error"]["missed"] / row["vertices"] for row in rows if row["fans"] == "Narrow"]
         return Verdict(
             judged(sum(pops) / len(pops), 1.23, 1.79),
-            f"{min(pops):.2f} to {max(pops):.2f} with SLF and LLL along all edges. Fans as published, "
-            f"arcsin sqrt(ε), leave up to {whole_percent(max(missed))} of the vertices without a label. Wide "
-            "fans leave few, which our certification reaches: see [differences](Differences.md). Our own "
-            "search uses buckets of distance ([graphs](README.md#graphs)).",
+            f"With SLF, LLL and all edges there are {min(pops):.2f} to {max(pops):.2f} queue entries per "
+            "vertex. Fans as published, arcsin sqrt(ε), leave up to "
+            f"{whole_percent(max(missed))} of the vertices without a label. Wide fans leave few, and these are "
+            "reached by the certification of this module, see [differences](Differences.md). The search of "
+            "this module uses buckets of distance ([graphs](README.md#graphs)).",
         )
 
     def words(self, figures):
@@ -202,14 +203,18 @@ class Queues(Exhibit):
 
 
 class PseudoVertices(Exhibit):
-    """Pseudo-vertices, as published, on increasingly stretched meshes: their number, their effect on the
-    graph of candidates pruned as published ("plain"), and our rule, which uses none."""
+    """The published pseudo-vertices on increasingly stretched meshes: their number and their effect on
+    graphs that are pruned as published, compared with our rule, which uses none."""
 
     name = "F3.13"
     title = "pseudo-vertices on anisotropic meshes"
     published = "6 to 23 times as many pseudo-vertices as vertices on anisotropic models."
     accuracy = "0.01"
-    kinds = {"Plain": "plain", "Pseudo": "with pseudo-vertices", "Guaranteed": "Guaranteed"}
+    kinds = {
+        "Plain": "without pseudo-vertices",
+        "Pseudo": "with pseudo-vertices",
+        "Guaranteed": "Guaranteed",
+    }
     columns = (
         column("mesh", str, "model"),
         column("anisotropy", tenths, "tau"),
@@ -252,9 +257,9 @@ class PseudoVertices(Exhibit):
         last = figures[-1]
         return Verdict(
             judged(max(added), 6.0, 23.0),
-            f"{range_text(added)} pseudo-vertices per vertex on stretched triangles, and "
-            f"{digits(last['Pseudo']['edges'] / last['Guaranteed']['edges'])} times as many edges as the "
-            "progress rule, which keeps its bound on these meshes without them.",
+            f"Stretched meshes get {range_text(added)} pseudo-vertices per vertex. The most stretched mesh "
+            f"then has {digits(last['Pseudo']['edges'] / last['Guaranteed']['edges'])} times as many edges as "
+            "with the progress rule, which keeps its bound without pseudo-vertices.",
         )
 
 

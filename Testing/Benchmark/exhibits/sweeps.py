@@ -36,7 +36,7 @@ TWO_RULES = ("OneRelay", "Guaranteed")
 
 
 class Noise(Exhibit):
-    """Vertices are moved along the normals, by up to 0.4 mean edges on average."""
+    """Vertices are moved along their normals, on average by up to 0.4 mean edge lengths."""
 
     name = "F3.11"
     title = "noise"
@@ -86,13 +86,13 @@ class Noise(Exhibit):
         degrees = [row["OneRelay"]["degree"] for row in figures.values()]
         return Verdict(
             NOT_COMPARABLE,
-            f"The degree changes by {whole_percent(max(degrees) / min(degrees) - 1.0)}. Corrected distances "
-            "assume a flat surface between two vertices.",
+            f"The degree of OneRelay changes by {whole_percent(max(degrees) / min(degrees) - 1.0)}. The "
+            "correction assumes a flat surface between two vertices.",
         )
 
 
 class DegreeHistogram(Exhibit):
-    """Edges per vertex, of saddle vertices and of other vertices."""
+    """Edges per vertex, at saddle vertices and at other vertices."""
 
     name = "F3.12"
     title = "distribution of degrees"
@@ -210,7 +210,7 @@ class TerrainPath(Exhibit):
 
     def verdict(self, figures):
         part = digits(figures["times_faster"])
-        return Verdict(NOT_COMPARABLE, f"A query takes 1/{part} of an exact propagation.")
+        return Verdict(NOT_COMPARABLE, f"A query takes 1/{part} of the time of an exact propagation.")
 
 
 def edge_length(mesh, start, end):
@@ -227,8 +227,9 @@ def edge_length(mesh, start, end):
 
 
 class Samples(Exhibit):
-    """Farthest points by several distances: geodesic, spectral and Euclidean. The ratio of the largest
-    geodesic distance from the samples to the smallest one between them is best at 1."""
+    """Farthest points by several distances: geodesic, spectral and Euclidean. The covering radius is the
+    largest geodesic distance from the samples, the smallest distance is that between two samples. Their
+    ratio is best at 1."""
 
     name = "F4.4"
     title = "sampling by several distances"
@@ -287,12 +288,12 @@ def farthest(distances, count):
 
 class PassRate(Exhibit):
     """Relative errors of graphs of all meshes in a folder, by accuracy. `run.sh passrate FOLDER`
-    measures any folder, and writes a table of all graphs."""
+    measures any folder and writes a table of all graphs."""
 
     name = "F5.3"
     title = "accuracy over many meshes"
     published = (
-        "mean error over ε, 0.3 to 0.6, of many meshes; those with anisotropy above 3 stand out."
+        "mean errors of 0.3 to 0.6 ε on many meshes; meshes with anisotropy above 3 stand out."
     )
 
     def measure(self, run):

@@ -39,7 +39,7 @@ def add_arguments(parser, shared):
     parser.add_argument(
         "--source",
         metavar=places.POINT,
-        help="where distances start: a point id, coordinates on the surface, or a face with "
+        help="source of the distances: a point id, coordinates on the surface, or a face with "
         "barycentric coordinates (default: the point farthest from the center of the mesh)",
     )
     parser.add_argument("--tolerance", **{**shared["tolerance"], "default": 0.01})

@@ -8,11 +8,11 @@ from ..errors import in_arguments
 
 # Help of the explorer.
 HELP = """click: source of the distances, then the end of a path, then the corner of a loop
-drag: move a marker; beside the surface, or with Ctrl, turn the camera
+drag: move a marker; beside the surface, or with Ctrl, rotate the camera
 middle button, wheel: move the camera, zoom
 m: method (graph, exact, fast)
 + and -: accuracy of the graph
-e: errors against exact distances
+e: errors relative to exact distances
 v: Voronoi cells; each click adds a source
 g: Green's function
 c: clear

@@ -4,7 +4,7 @@
 
 See Also
 --------
-vtkdgg.Graph.sparse_matrix : faster than `local_gdist_matrix`, within a promised error.
+vtkdgg.Graph.sparse_matrix : faster than `local_gdist_matrix`, within an error bound.
 """
 
 from __future__ import annotations
