@@ -2,16 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggLayoutDrawing.h"
 
+#include "dggCurveMargin.h"
 #include "dggDisjointSets.h"
-#include "dggEdges.h"
-#include "dggEdgeSplitting.h"
 #include "dggPathEdges.h"
 #include "dggStatus.h"
 
 #include <algorithm>
 #include <iterator>
 #include <map>
-#include <set>
 #include <utility>
 
 namespace dgg
@@ -323,58 +321,23 @@ Status LayoutDrawing::Trace(const LayoutSector& from, const std::vector<LayoutSe
   return status;
 }
 
-/// Like Trace() to one sector, at a distance from curves and other landmarks: edges that end at
-/// these are split, and the faces that touch these are removed.
+/// Like Trace() to one sector, at a distance from curves and other landmarks.
 Status LayoutDrawing::TraceClear(const LayoutSector& from, const LayoutSector& to,
   const ProgressCallback& progress, SurfacePath& path) const
 {
   std::vector<char> isBlocked;
   std::vector<char> isCut;
   this->MarkObstacles(from.Vertex, to.Vertex, isBlocked, isCut);
-  std::set<std::pair<Id, Id>> cuts;
-  SubMesh split = this->Surface.Opened;
-  for (Id h = 0; h < split.GetNumberOfHalfEdges(); ++h)
-  {
-    if (isCut[h] != 0)
-    {
-      cuts.insert(std::minmax(split.Origin(h), split.Destination(h)));
-    }
-  }
-  // Split twice, so that the middle half of an edge between two obstacles remains as a passage.
-  for (int round = 0; round < 2; ++round)
-  {
-    std::vector<char> isSplit(split.Triangles.size(), 0);
-    for (Id h = 0; h < split.GetNumberOfHalfEdges(); ++h)
-    {
-      const std::pair<Id, Id> ends = std::minmax(split.Origin(h), split.Destination(h));
-      const bool isNear = isBlocked[ends.first] != 0 || isBlocked[ends.second] != 0;
-      isSplit[h] = isNear && cuts.count(ends) == 0 && HasMiddle(this->Mesh, split, h) ? 1 : 0;
-    }
-    SplitEdges(this->Mesh, isSplit, split);
-    isBlocked.resize(split.Points.size(), 0);
-  }
-  SurfaceMesh splitMesh;
-  DGG_RETURN_IF_ERROR(split.Build(this->Mesh, splitMesh));
-  FaceSelector selector(splitMesh);
-  for (Id f = 0; f < split.GetNumberOfFaces(); ++f)
-  {
-    const auto corners = splitMesh.GetTriangle(f);
-    if (std::none_of(corners.begin(), corners.end(), [&](Id v) { return isBlocked[v] != 0; }))
-    {
-      selector.AddFace(f);
-    }
-  }
-  const Id start = selector.AddVertex(from.Vertex);
-  const Id end = selector.AddVertex(to.Vertex);
-  const SubMesh rest = selector.Take();
+  SubMesh rest;
+  RemoveMargin(this->Mesh, this->Surface.Opened, isBlocked, isCut, rest);
   SurfaceMesh mesh;
-  DGG_RETURN_IF_ERROR(rest.Build(splitMesh, mesh));
+  DGG_RETURN_IF_ERROR(rest.Build(this->Mesh, mesh));
   std::vector<SurfacePath> paths;
   DGG_RETURN_IF_ERROR(ExactPathFinder(mesh).Find(
-    SurfacePoint::AtVertex(start), { SurfacePoint::AtVertex(end) }, progress, paths));
+    SurfacePoint::AtVertex(from.Vertex), { SurfacePoint::AtVertex(to.Vertex) }, progress, paths));
   if (!paths[0].IsEmpty())
   {
-    path = split.ToParent(this->Mesh, splitMesh, rest.ToParent(splitMesh, mesh, paths[0]));
+    path = rest.ToParent(this->Mesh, mesh, paths[0]);
   }
   return Status::Success();
 }
