@@ -28,8 +28,6 @@
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
-#include <iterator>
-#include <utility>
 #include <exception>
 #include <new>
 
@@ -262,7 +260,7 @@ dgg::Status DGGFilterInternals::Compute(
     return dgg::Status::Abort();
   }
   DGG_RETURN_IF_ERROR(this->Execute(this->MakeContext(input), inputVector, outputVector));
-  this->Warn(this->OutputWarnings); // observers may read the output
+  this->Warn(this->OutputWarnings);
   return dgg::Status::Success();
 }
 
@@ -343,13 +341,19 @@ void DGGFilterInternals::WarnAboutGaps(const std::vector<bool>& isReached)
 }
 
 //------------------------------------------------------------------------------
+void DGGFilterInternals::WarnAtEnd(const dgg::Output& output)
+{
+  this->OutputWarnings.insert(
+    this->OutputWarnings.end(), output.Warnings.begin(), output.Warnings.end());
+}
+
+//------------------------------------------------------------------------------
 dgg::Status DGGFilterInternals::FillOutput(
   const DGGContext& context, dgg::Output& output, vtkInformationVector* outputVector, int port)
 {
   DGG_RETURN_IF_ERROR(DGGFillOutput(output, context.Input, this->Filter->OutputPointsPrecision,
     vtkPolyData::GetData(outputVector, port)));
-  std::move(
-    output.Warnings.begin(), output.Warnings.end(), std::back_inserter(this->OutputWarnings));
+  this->WarnAtEnd(output);
   return dgg::Status::Success();
 }
 

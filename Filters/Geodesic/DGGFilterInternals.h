@@ -113,6 +113,10 @@ public:
   /// Reports a reason for inaccurate results once per mesh. Returns true if there is a reason.
   bool WarnAboutQuality(const std::string& reason);
 
+  /// Reports the warnings of an output when all outputs are filled, because observers may read
+  /// them.
+  void WarnAtEnd(const dgg::Output& output);
+
   /// Fills an output that is new geometry. Its warnings are reported when all outputs are filled.
   dgg::Status FillOutput(const DGGContext& context, dgg::Output& output,
     vtkInformationVector* outputVector, int port = 0);

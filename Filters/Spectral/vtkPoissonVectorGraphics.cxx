@@ -182,8 +182,12 @@ dgg::GraphicsInput vtkPoissonVectorGraphics::vtkInternals::ReadInput(
   vtkCellData* cells = surface->GetCellData();
   input.NumberOfSurfaceCells = surface->GetNumberOfCells();
   input.Region = DGGReadArray(cells, this->Self->RegionArrayName);
-  input.RegionStrength = DGGReadArray(cells, this->Self->RegionStrengthArrayName);
-  if (this->Self->RefinementRegion == Cells)
+  if (!input.Region.Name.empty())
+  {
+    input.RegionStrength = DGGReadArray(cells, this->Self->RegionStrengthArrayName);
+  }
+  input.WantRefinement = this->Self->RefinementRegion == Cells;
+  if (input.WantRefinement)
   {
     input.Refinement = DGGReadArray(cells, this->Self->RefinementArrayName);
   }

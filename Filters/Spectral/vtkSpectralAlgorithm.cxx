@@ -116,7 +116,7 @@ dgg::Status DGGSpectralInternals::CheckProperties() const
 
 //------------------------------------------------------------------------------
 /// Returns the task with the properties of all spectral filters, too.
-dgg::SpectralTask& DGGSpectralInternals::PrepareWholeTask(
+dgg::SpectralTask& DGGSpectralInternals::PrepareTaskWithOptions(
   vtkPolyData* surface, const DGGSourceSet& sources)
 {
   dgg::SpectralTask& task = this->PrepareTask(surface, sources);
@@ -141,7 +141,7 @@ dgg::Status DGGSpectralInternals::Execute(
   vtkPolyData* places = vtkPolyData::GetData(inputVector[2]);
   const DGGSourceSet sourceSet = this->GetSources(vtkPolyData::GetData(inputVector[1]));
   const DGGSourceSet targetSet{ NoIds, places, 2, "evaluation point", "", "" };
-  dgg::SpectralTask& task = this->PrepareWholeTask(context.Input, sourceSet);
+  dgg::SpectralTask& task = this->PrepareTaskWithOptions(context.Input, sourceSet);
   std::vector<dgg::SurfacePoint> sources;
   std::vector<dgg::SurfacePoint> targets;
   if (!task.CanChooseSources() || !sourceSet.IsEmpty())
@@ -155,7 +155,7 @@ dgg::Status DGGSpectralInternals::Execute(
   dgg::Output outputs[2];
   DGG_RETURN_IF_ERROR(
     task.Run(context, this->Session, sources, targets, this->GetMemoryRemedy(), outputs));
-  this->Warn(outputs[0].Warnings);
+  this->WarnAtEnd(outputs[0]);
   FillOutputs(outputs, context.Input, places, outputVector);
   return dgg::Status::Success();
 }
@@ -165,7 +165,7 @@ void DGGSpectralInternals::MakeEmptyOutput(
   const DGGContext& context, vtkInformationVector* outputVector)
 {
   dgg::Output outputs[2];
-  this->PrepareWholeTask(context.Input, this->GetSources(nullptr))
+  this->PrepareTaskWithOptions(context.Input, this->GetSources(nullptr))
     .WriteEmpty(context.Surface, outputs);
   FillOutputs(outputs, context.Input, nullptr, outputVector);
 }

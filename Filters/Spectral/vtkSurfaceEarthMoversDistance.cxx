@@ -158,7 +158,7 @@ dgg::Status vtkSurfaceEarthMoversDistance::vtkInternals::Execute(
   this->Self->LowerBound = task.LowerBound;
   this->Self->Gap = task.Gap;
   this->Self->NumberOfIterations = task.Iterations;
-  this->Warn(results.Warnings);
+  this->WarnAtEnd(results);
   const bool hasFlow = !results.CellData.empty();
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   output->ShallowCopy(context.Input);

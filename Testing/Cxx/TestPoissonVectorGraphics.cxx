@@ -124,6 +124,8 @@ TEST(PoissonVectorGraphics, DataOfTheSurfaceComeAlong)
   drawing.Filter->SetRefinementLevel(1);
   drawing.Filter->SetRefinementRegionToCells();
   ExpectError(drawing.Filter, { "'Refine'", "RefinementArrayName" });
+  drawing.Filter->SetRefinementArrayName("");
+  ExpectError(drawing.Filter, { "''", "RefinementArrayName" });
   for (double& cell : cells)
   {
     cell = cell == 5.0 ? 1.0 : 0.0;

@@ -110,22 +110,26 @@ private:
     return sorted[0] - (sorted[2] - sorted[1]);
   }
 
-  /// Returns false if no angle of a triangle exceeds 120 degrees: its slack is then at least a
-  /// quarter of its shortest edge, too much for a cap. Raises `longest` to its largest squared
-  /// length.
-  bool IsVeryObtuse(Id f, double& longest) const
+  /// Returns the squared lengths of the edges of a triangle.
+  std::array<double, 3> GetSquares(Id f) const
   {
     const Triangle t = this->Get(f);
     const Point3 p = PointAt(this->Points, t[0]);
     const Point3 q = PointAt(this->Points, t[1]);
     const Point3 r = PointAt(this->Points, t[2]);
-    const double a = Dot(q - p, q - p);
-    const double b = Dot(r - q, r - q);
-    const double c = Dot(p - r, p - r);
+    return { { Dot(q - p, q - p), Dot(r - q, r - q), Dot(p - r, p - r) } };
+  }
+
+  /// Returns true if an angle of a triangle with the given squared lengths exceeds 120 degrees.
+  /// Otherwise its slack is at least a quarter of its shortest edge, too much for a cap.
+  static bool IsVeryObtuse(const std::array<double, 3>& squares)
+  {
+    const double a = squares[0];
+    const double b = squares[1];
+    const double c = squares[2];
     const double largest = std::max({ a, b, c });
     const double middle = std::max(std::min(a, b), std::min(std::max(a, b), c));
     const double smallest = std::min({ a, b, c });
-    longest = std::max(longest, largest);
     const double excess = largest - middle - smallest;
     return !(excess <= 0.0 || excess * excess < smallest * middle);
   }
@@ -137,7 +141,9 @@ private:
     double longest = 0.0;
     for (Id f = 0; f < this->GetNumberOfTriangles(); ++f)
     {
-      if (this->IsVeryObtuse(f, longest))
+      const std::array<double, 3> squares = this->GetSquares(f);
+      longest = std::max({ longest, squares[0], squares[1], squares[2] });
+      if (IsVeryObtuse(squares))
       {
         obtuse.push_back(f);
       }

@@ -11,7 +11,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <iterator>
+#include <limits>
 #include <utility>
 
 namespace dgg
@@ -98,7 +100,7 @@ void SurfaceMeshBuilder::GlueByVertices()
   this->GroupByOrigin();
   this->AreAllLinked = true;
   const SurfaceMesh& mesh = this->Mesh;
-  this->Spokes.assign(mesh.VertexFlags.size(), Spoke());
+  this->LastHalfEdges.assign(mesh.VertexFlags.size(), LastHalfEdge());
   for (Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
   {
     for (Offset i = this->Outgoing.Begins[v]; i < this->Outgoing.Begins[v + 1]; ++i)
@@ -111,9 +113,10 @@ void SurfaceMeshBuilder::GlueByVertices()
       this->Glue(v, left, incoming, right);
     }
   }
-  for (const Id edge : this->Crowded)
+  this->LastHalfEdges = {};
+  for (const Id edge : this->CrowdedEdges)
   {
-    this->DropDuplicates(edge);
+    this->RelinkWithoutDuplicates(edge);
   }
   if (!this->Mesh.Duplicates.empty())
   {
@@ -131,7 +134,7 @@ void SurfaceMeshBuilder::Glue(Id v, Id neighbor, Id h, Id apex)
     return;
   }
   SurfaceMesh& mesh = this->Mesh;
-  Spoke& last = this->Spokes[neighbor];
+  LastHalfEdge& last = this->LastHalfEdges[neighbor];
   if (last.Smaller == v)
   {
     const Id t = last.HalfEdge;
@@ -140,7 +143,7 @@ void SurfaceMeshBuilder::Glue(Id v, Id neighbor, Id h, Id apex)
     // Once per edge for a third face, once for a duplicate of the first.
     if (isSecond ? last.Apex == apex : mesh.Twins[first] == t)
     {
-      this->Crowded.push_back(h);
+      this->CrowdedEdges.push_back(h);
     }
     this->AreAllLinked = this->AreAllLinked && isSecond && mesh.Origin(t) != mesh.Origin(h);
     mesh.Twins[t] = h;
@@ -151,7 +154,7 @@ void SurfaceMeshBuilder::Glue(Id v, Id neighbor, Id h, Id apex)
 
 /// Drops duplicates on an edge: faces on the same edge with the same apex have the same three
 /// vertices. Links the other faces.
-void SurfaceMeshBuilder::DropDuplicates(Id edge)
+void SurfaceMeshBuilder::RelinkWithoutDuplicates(Id edge)
 {
   SurfaceMesh& mesh = this->Mesh;
   std::vector<Id> halfEdges;
@@ -489,9 +492,14 @@ void SurfaceMeshBuilder::MeasureMeanEdge()
   Offset edges = 0;
   for (Id f = 0; f < mesh.GetNumberOfFaces(); ++f)
   {
-    for (Id h = 3 * f; h < 3 * f + 3 && !mesh.IsDropped(f); ++h)
+    if (mesh.IsDropped(f))
     {
-      // Counts each edge once. Branchless, because branches would be unpredictable.
+      continue;
+    }
+    for (Id h = 3 * f; h < 3 * f + 3; ++h)
+    {
+      // Counts each edge once. Branchless, because branches would be unpredictable. NoId becomes
+      // the largest number, so that boundary edges count.
       const bool counts = this->AreAllLinked
         ? static_cast<std::uint32_t>(mesh.Twin(h)) > static_cast<std::uint32_t>(h)
         : FindEdge(mesh, h) == h;

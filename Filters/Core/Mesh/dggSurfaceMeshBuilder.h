@@ -40,7 +40,7 @@ public:
 
 private:
   /// The last half-edge found between a vertex and a smaller neighbor.
-  struct Spoke
+  struct LastHalfEdge
   {
     Id Smaller = NoId;
     Id HalfEdge = NoId;
@@ -51,7 +51,7 @@ private:
   void DropRepeatedVertexFaces();
   void GroupByOrigin();
   void Glue(Id v, Id neighbor, Id h, Id apex);
-  void DropDuplicates(Id edge);
+  void RelinkWithoutDuplicates(Id edge);
   double TriangleInequalityViolation(Id f) const;
   void MeasureMeanEdge();
   void LayOutFaces();
@@ -65,8 +65,8 @@ private:
   const SurfaceMesh* Parent = nullptr; // parent mesh, or null
   Groups Outgoing;                     // half-edges by origin, without dropped faces
   bool AreAllLinked = false;           // true if all edges off the boundary are known to be linked
-  std::vector<Spoke> Spokes;           // per vertex, with the last of its smaller neighbors
-  std::vector<Id> Crowded; // half-edges whose edges have more than two faces, or duplicates
+  std::vector<LastHalfEdge> LastHalfEdges; // per vertex, with the last of its smaller neighbors
+  std::vector<Id> CrowdedEdges; // half-edges whose edges have more than two faces, or duplicates
 };
 }
 

@@ -482,7 +482,7 @@ std::vector<ReportItem> PreparedSurface::ListReport() const
       this->NumberOfCoincidentBoundaryPoints),
     item("NumberOfMergedPoints", "merged points", this->NumberOfMergedPoints),
     item("Mollification", "length added to degenerate faces", report.Mollification),
-    item("LargestCapHeight", "height of degenerate faces left out", this->GetLargestCapHeight()),
+    item("LargestCapHeight", "height of removed degenerate faces", this->GetLargestCapHeight()),
     item("MeanAnisotropy", "mean anisotropy", report.MeanAnisotropy),
     item("MedianAnisotropy", "median anisotropy", report.MedianAnisotropy),
   };

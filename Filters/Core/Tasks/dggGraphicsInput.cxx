@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <limits>
 #include <string>
 #include <unordered_map>
@@ -430,7 +431,7 @@ Status ReadGraphics(
     return InvalidInput("There is nothing to draw")
       .Fix("Connect lines to input port 1, or set {RegionArrayName}");
   }
-  return input.Refinement.Name.empty() ? Status::Success()
-                                       : FindRefinedFaces(input, surface, drawing.RefinedFaces);
+  return input.WantRefinement ? FindRefinedFaces(input, surface, drawing.RefinedFaces)
+                              : Status::Success();
 }
 }

@@ -47,6 +47,7 @@ struct GraphicsInput
   InputArray RegionStrength;
   InputArray Refinement;
   ///@}
+  bool WantRefinement = false; ///< require Refinement
 };
 
 /// Lines with their parameters, regions with their strengths, and faces to refine.

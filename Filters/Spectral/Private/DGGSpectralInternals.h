@@ -40,7 +40,7 @@ public:
   dgg::PoissonSession Session;
 
 private:
-  dgg::SpectralTask& PrepareWholeTask(vtkPolyData* surface, const DGGSourceSet& sources);
+  dgg::SpectralTask& PrepareTaskWithOptions(vtkPolyData* surface, const DGGSourceSet& sources);
   DGGSourceSet GetSources(vtkPolyData* points) const;
 
   vtkSpectralAlgorithm* Filter;
