@@ -28,7 +28,7 @@
 
 namespace
 {
-/// Neighbouring numbers get hues that are far apart.
+/// Neighboring numbers get hues that are far apart.
 void SetColours(vtkLookupTable* colours, vtkIdType number)
 {
   vtkNew<vtkLookupTable> rainbow;

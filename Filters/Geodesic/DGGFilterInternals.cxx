@@ -378,7 +378,7 @@ dgg::Status DGGFilterInternals::PrepareMesh(vtkPolyData* surface)
   if (!surface)
   {
     this->Mesh->Clear(); // the report must not describe another surface
-    return dgg::InvalidInput("There is no input").Fix("Connect a surface to input port 0");
+    return dgg::InvalidInput("There is no input").Fix("Connect input port 0");
   }
   const vtkMTimeType built = this->Mesh->GetBuildTime();
   const dgg::Status status = this->Mesh->Update(surface, this->GetDomain(surface));

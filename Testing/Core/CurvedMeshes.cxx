@@ -97,9 +97,9 @@ TestMesh VoxelSurface(Id nx, Id ny, Id nz, const std::function<bool(Id, Id, Id)>
         {
           for (int side = 0; side < 2; ++side)
           {
-            std::array<Id, 3> neighbour = cell;
-            neighbour[axis] += side == 0 ? -1 : 1;
-            if (isFilled(neighbour))
+            std::array<Id, 3> neighbor = cell;
+            neighbor[axis] += side == 0 ? -1 : 1;
+            if (isFilled(neighbor))
             {
               continue;
             }

@@ -20,11 +20,11 @@ std::vector<NamedMesh> MeshesUpTo(Id largest)
   return meshes;
 }
 
-dgg::GeodesicGraph BuildNearest(const dgg::SurfaceMesh& mesh, Id neighbours)
+dgg::GeodesicGraph BuildNearest(const dgg::SurfaceMesh& mesh, Id neighbors)
 {
   return BuildGraph(mesh, 0.01, [&](dgg::GraphOptions& options) {
     options.Construction = GraphConstruction::SaddleVertexGraph;
-    options.NumberOfNeighbors = neighbours;
+    options.NumberOfNeighbors = neighbors;
   });
 }
 
@@ -132,7 +132,7 @@ TEST(GraphBuilderConstructions, MeshEdgesAreThere)
   }
 }
 
-TEST(GraphBuilderConstructions, AllNeighboursAreExact)
+TEST(GraphBuilderConstructions, AllNeighborsAreExact)
 {
   for (const NamedMesh& named : MeshesUpTo(200))
   {
@@ -144,28 +144,28 @@ TEST(GraphBuilderConstructions, AllNeighboursAreExact)
   }
 }
 
-TEST(GraphBuilderConstructions, DegreeIsTheNumberOfNeighbours)
+TEST(GraphBuilderConstructions, DegreeIsTheNumberOfNeighbors)
 {
   // On a convex surface all shortest paths are straight. Each vertex has an edge to each of its
   // nearest vertices, and the union with the reverse edges adds more.
   const dgg::SurfaceMesh mesh = Build(Icosphere(3));
-  for (const Id neighbours : { 6, 12, 30, 80 })
+  for (const Id neighbors : { 6, 12, 30, 80 })
   {
     dgg::GraphStatistics statistics;
     const dgg::GeodesicGraph graph = BuildGraph(
       mesh, 0.01,
       [&](dgg::GraphOptions& options) {
         options.Construction = GraphConstruction::SaddleVertexGraph;
-        options.NumberOfNeighbors = neighbours;
+        options.NumberOfNeighbors = neighbors;
       },
       &statistics);
     const double found = static_cast<double>(statistics.OutEdges) / mesh.GetNumberOfVertices();
-    EXPECT_GE(found, 0.9 * neighbours);
-    EXPECT_LE(found, 1.25 * neighbours + 2.0);
+    EXPECT_GE(found, 0.9 * neighbors);
+    EXPECT_LE(found, 1.25 * neighbors + 2.0);
     const double degree =
       static_cast<double>(graph.View().GetNumberOfEdges()) / mesh.GetNumberOfVertices();
     EXPECT_GE(degree, found);
-    EXPECT_LE(degree, 1.5 * neighbours + 2.0);
+    EXPECT_LE(degree, 1.5 * neighbors + 2.0);
   }
 }
 
@@ -175,8 +175,8 @@ TEST(GraphBuilderConstructions, EdgesGoToTheNearest)
   // without a reflex corner these are all vertices that no other vertex hides.
   const TestMesh input = Plane(12, 12, 0.25, 4);
   const dgg::SurfaceMesh mesh = Build(input);
-  constexpr Id neighbours = 20;
-  const dgg::GeodesicGraph graph = BuildNearest(mesh, neighbours);
+  constexpr Id neighbors = 20;
+  const dgg::GeodesicGraph graph = BuildNearest(mesh, neighbors);
   for (Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
   {
     std::vector<double> distances;
@@ -186,7 +186,7 @@ TEST(GraphBuilderConstructions, EdgesGoToTheNearest)
     }
     std::vector<double> sorted = distances;
     std::sort(sorted.begin(), sorted.end());
-    const double reach = sorted[neighbours]; // the first distance is that of v itself
+    const double reach = sorted[neighbors]; // the first distance is that of v itself
     const bool isInside = mesh.Kind(v) != dgg::VertexKind::Boundary;
     for (Id w = 0; w < mesh.GetNumberOfVertices(); ++w)
     {

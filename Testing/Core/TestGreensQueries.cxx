@@ -65,7 +65,7 @@ TEST(GreensFunction, LocalizedReproducesDistances)
     greens.Run(dgg::SurfacePoint::AtVertex(9), dgg::GreensMethod::Interpolated).Values);
 }
 
-TEST(GreensFunction, LocalizedNeedsFewNeighbours)
+TEST(GreensFunction, LocalizedNeedsFewNeighbors)
 {
   // A fan of thousands of triangles is not searched, so the query is fast.
   for (const Id wedges : { 300, 5000 })

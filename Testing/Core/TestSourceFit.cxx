@@ -287,7 +287,7 @@ TEST(LocalFit, TooLittleForAPlane)
   EXPECT_EQ(fit.Curvature, 0.0);
 }
 
-TEST(LocalFit, NeighboursOnACircleDoNotDecideOnAQuadric)
+TEST(LocalFit, NeighborsOnACircleDoNotDecideOnAQuadric)
 {
   std::vector<Point3> ring;
   for (int i = 0; i < 12; ++i)

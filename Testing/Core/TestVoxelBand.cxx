@@ -78,7 +78,7 @@ TEST(VoxelBand, MarksVoxelsWithCentresInBalls)
   EXPECT_EQ(band.GetNumberOfVoxels(), marked);
 }
 
-TEST(VoxelBand, SmallBallsMarkTheirVoxelAndItsNeighbours)
+TEST(VoxelBand, SmallBallsMarkTheirVoxelAndItsNeighbors)
 {
   VoxelBand band;
   ASSERT_TRUE(band.Build({ { 0.5, 0.5, 0.5 } }, { 0.01 }, 1.0, 0, {}).IsOk());

@@ -88,7 +88,7 @@ TEST(CloudGraph, OptionsAreUsedAsGiven)
   }
 }
 
-TEST(CloudGraph, AllPointsWithinReachAreNeighbours)
+TEST(CloudGraph, AllPointsWithinReachAreNeighbors)
 {
   // A small region of the square has 200 times the density of the rest: points there have far more
   // neighbors than others.

@@ -180,7 +180,7 @@ class Cells(unittest.TestCase):
         _, counts = np.unique(hues, axis=0, return_counts=True)
         self.assertGreaterEqual((counts > 0.04 * len(hues)).sum(), 4)
 
-    def test_neighbours_differ(self):
+    def test_neighbors_differ(self):
         # A tube divided into 24 cells along its axis. The ids of adjacent cells often end in the
         # same digit.
         count = 24

@@ -150,7 +150,7 @@ Status PathCutter::OpenEdges(SubMesh& cut) const
       if (halfEdges.empty())
       {
         return InvalidInput(
-          "Vertices ", path[i], " and ", path[i + 1], " of a chain are not neighbours");
+          "Vertices ", path[i], " and ", path[i + 1], " of a chain are not neighbors");
       }
       for (const Id h : halfEdges)
       {

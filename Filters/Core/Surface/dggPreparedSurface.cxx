@@ -400,7 +400,7 @@ void PreparedSurface::CollectWarnings()
     "triangles on the same three points as an earlier one, which are ignored");
   warn(this->Caps.NumberOfCaps,
     JoinText("triangles without area, no higher than ", this->Caps.LargestHeight,
-      ", that are ignored: their neighbours are split where they meet"));
+      ", that are ignored: their neighbors are split where they meet"));
   warn(this->Mesh.GetNumberOfDegenerateFaces(),
     JoinText(
       "triangles without area, whose edges are lengthened by ", this->Mesh.GetMollification()));

@@ -50,7 +50,7 @@ std::string FindFault(const SurfaceMesh& mesh, const std::vector<double>& values
   }
   if (known == 0)
   {
-    return "The field is not known at any two neighbouring points. Pass finite values";
+    return "The field is not known at any two neighboring points. Pass finite values";
   }
   const double share = static_cast<double>(steep) / known;
   if (share <= LargestShareOfSteepEdges)

@@ -133,7 +133,7 @@ void ReferenceEngine::ProcessVertex(const QueuedVertex& queued)
     return;
   }
   this->Emitted[v] = label;
-  this->RelaxNeighbours(v);
+  this->RelaxNeighbors(v);
   if (this->IsSource(v) || this->Mesh.IsPassThrough(v))
   {
     this->EmitEverywhere(v);

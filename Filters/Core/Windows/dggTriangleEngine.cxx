@@ -149,7 +149,7 @@ bool TriangleEngine::Report(std::size_t work)
 bool TriangleEngine::ProcessVertex(Id v)
 {
   this->NumberOfVisited += this->IsVisited[v] ? 0 : 1;
-  this->RelaxNeighbours(v);
+  this->RelaxNeighbors(v);
   // Emit once per label, up to rounding.
   if ((this->IsSource(v) || this->Mesh.IsPassThrough(v)) &&
     this->Label(v) * (1.0 + 0.1 * LengthTolerance) < this->Emitted[v] &&

@@ -273,7 +273,7 @@ bool WindowPropagation::Lower(Id v, double distance, const Predecessor& predeces
   return true;
 }
 
-void WindowPropagation::RelaxNeighbours(Id v)
+void WindowPropagation::RelaxNeighbors(Id v)
 {
   const double label = this->Label(v);
   const Id source = this->Result->NearestSource[v];

@@ -54,7 +54,7 @@ protected:
   /// of an actual path.
   bool Lower(Id v, double distance, const Predecessor& predecessor, Id source);
   /// Relaxes the mesh edges around v, which covers windows that are too narrow to be stored.
-  void RelaxNeighbours(Id v);
+  void RelaxNeighbors(Id v);
 
   /// Emits windows of the pseudo-source v into all its faces.
   void EmitEverywhere(Id v);

@@ -64,8 +64,8 @@ dgg::Status DGGMeshAdapter::CheckSurface(vtkPolyData* input)
   const vtkIdType n = input->GetNumberOfPoints();
   return dgg::InvalidInput(
     "The input has ", n, n == 1 ? " point" : " points", " but no polygons or triangle strips")
-    .Fix("Connect a surface mesh. For a point cloud, compute its graph with vtkPointCloudDGG (in "
-         "Python: vtkdgg.CloudGraph)");
+    .Fix("Connect a surface mesh. A point cloud needs the graph of vtkPointCloudDGG (in Python: "
+         "vtkdgg.CloudGraph) and a filter that accepts clouds, such as vtkDGGDistance");
 }
 
 //------------------------------------------------------------------------------

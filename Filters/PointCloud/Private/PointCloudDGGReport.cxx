@@ -151,7 +151,7 @@ void vtkPointCloudDGG::vtkInternals::WarnAboutPoints()
   const dgg::CloudGraphStatistics& statistics = this->Current.Statistics;
   if (statistics.Scatter > 0.0)
   {
-    this->Warn(dgg::JoinText("The neighbours of ", 100.0 * statistics.OffSurface,
+    this->Warn(dgg::JoinText("The neighbors of ", 100.0 * statistics.OffSurface,
       " % of the points do not lie on a surface: points typically scatter by ", statistics.Scatter,
       " times their spacing. Such noise is removed in part only, so distances may be far off. Thin "
       "the cloud, for example to every tenth point or to averages of points, until points scatter "

@@ -10,7 +10,7 @@ NEIGHBORS = 24
 
 
 def local_triangles(cloud, points):
-    """The triangles at each point of the Delaunay triangulation of its neighbours in the plane that is
+    """The triangles at each point of the Delaunay triangulation of its neighbors in the plane that is
     fitted to them, as Sharp and Crane have them ("A Laplacian for nonmanifold triangle meshes", 2020,
     section 5.7). Theirs counts each a third for each corner that has it. Here one that two corners agree
     on is there, and others are not: where points of rough surfaces disagree, holes do less harm than
@@ -49,7 +49,7 @@ def nearest(cloud, count, number):
 
 
 def fan(ids, images):
-    """Pairs of neighbours that make a triangle with the point: sides of the hull of the images, but
+    """Pairs of neighbors that make a triangle with the point: sides of the hull of the images, but
     for one that sees the point from outside, where the point is on the rim."""
     order = sorted(range(len(ids)), key=images.__getitem__)
 
