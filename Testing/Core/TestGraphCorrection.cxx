@@ -50,6 +50,20 @@ MeanErrors MeasureErrors(const SearchCase& c, Id numberOfSources)
   return errors;
 }
 
+/// Expects the same corrections on a mesh that is scaled by a power of two.
+void ExpectScaled(int exponent)
+{
+  const TestMesh mesh = Terrain(12, 0.4, 5);
+  const SearchResult usual = RunCorrected(SearchCase("terrain", mesh, 0.02), { SeedAt(3) });
+  const double scale = std::ldexp(1.0, exponent);
+  const SearchResult scaled =
+    RunCorrected(SearchCase("scaled terrain", Scaled(mesh, scale), 0.02), { SeedAt(3) });
+  for (std::size_t v = 0; v < usual.Corrected.size(); ++v)
+  {
+    EXPECT_NEAR(scaled.Corrected[v] / scale, usual.Corrected[v], 1e-12 * usual.Corrected[v]) << v;
+  }
+}
+
 void ExpectImproved(
   const std::string& name, const TestMesh& mesh, double accuracy, double expectedFactor)
 {
@@ -83,6 +97,12 @@ void ExpectCorrected(const SearchCase& c, const std::vector<GraphSeed>& seeds,
   }
   EXPECT_GT(raw, 2.5 * corrected);
 }
+}
+
+TEST(GraphCorrection, DoesNotDependOnTheScale)
+{
+  ExpectScaled(-200);
+  ExpectScaled(200);
 }
 
 TEST(GraphCorrection, WithinTheAccuracyWithoutException)

@@ -38,6 +38,9 @@ LabelCorrection::LabelCorrection(const GraphView& graph, const SurfaceMesh& mesh
   , Vertices(graph.NumberOfVertices)
   , Shrink(LabelShrink(graph.Info))
   , Unseen(0.5 * UnseenPart * std::pow(LargestDeviation(graph), 2.0))
+  , Scale(mesh.GetMeanEdgeLength() > 0.0
+        ? std::exp2(-std::rint(std::log2(mesh.GetMeanEdgeLength())))
+        : 1.0)
 {
   for (Id v = 0; v < graph.NumberOfVertices; ++v)
   {
@@ -165,7 +168,8 @@ LabelCorrection::Estimate LabelCorrection::Follow(
     roughness * this->Unseen * height;
   const double x = edge + source.Length * (1.0 - 2.0 * half * half);
   const double y = 2.0 * source.Length * half * std::sqrt(std::max(0.0, 1.0 - half * half));
-  const double tilt = std::atan2(static_cast<float>(y), static_cast<float>(x));
+  const double tilt =
+    std::atan2(static_cast<float>(this->Scale * y), static_cast<float>(this->Scale * x));
   const double angle = arrival + (turn > 0.0 ? tilt : -tilt);
   if (vertex.Angle < 0.0f && !(angle >= -AngleSlack && angle <= AngleSlack - vertex.Angle))
   {

@@ -77,6 +77,7 @@ private:
   std::vector<Vertex> Vertices;
   double Shrink; ///< see LabelShrink()
   double Unseen; ///< mean shortening of an edge by unresolved roughness
+  double Scale;  ///< power of two that makes lengths comparable to 1, as floats need it
 };
 }
 
