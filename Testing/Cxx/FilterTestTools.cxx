@@ -154,7 +154,10 @@ void MovePoints(vtkPolyData* data, const std::function<void(double*)>& move)
     move(p);
     data->GetPoints()->SetPoint(i, p);
   }
-  data->GetPoints()->Modified();
+  if (data->GetPoints())
+  {
+    data->GetPoints()->Modified();
+  }
 }
 
 vtkSmartPointer<vtkPolyData> MakePlateWithHole()
