@@ -167,7 +167,7 @@ void ShiftToDistances(const HeatSystem& system, const std::vector<GeodesicSource
 }
 
 template <typename Visitor>
-void ForEachNeighbor(const SurfaceMesh& mesh, Id v, Visitor&& visit)
+void ForEachAdjacent(const SurfaceMesh& mesh, Id v, Visitor&& visit)
 {
   for (const Id* g = mesh.FanBegin(v); g != mesh.FanEnd(v); ++g)
   {
@@ -233,7 +233,7 @@ std::vector<Id> FindNearestSources(const SurfaceMesh& mesh,
     const Id v = top.Index;
     // A corner keeps its source unless the field passes below it.
     double steepest = distances[v] < best[v] ? -Infinity : Infinity;
-    ForEachNeighbor(mesh, v, [&](Id u, double length) {
+    ForEachAdjacent(mesh, v, [&](Id u, double length) {
       if (isDone[u] && (distances[v] - distances[u]) > steepest * length)
       {
         steepest = (distances[v] - distances[u]) / std::max(length, 1e-300);
@@ -241,7 +241,7 @@ std::vector<Id> FindNearestSources(const SurfaceMesh& mesh,
       }
     });
     isDone[v] = 1;
-    ForEachNeighbor(mesh, v, [&](Id u, double) {
+    ForEachAdjacent(mesh, v, [&](Id u, double) {
       if (!isPushed[u] && distances[u] < Infinity)
       {
         isPushed[u] = 1;
