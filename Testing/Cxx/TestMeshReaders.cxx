@@ -284,8 +284,8 @@ const FileCase XYZCases[] = {
   { "no points", "# c\n", "the file has no points" },
 };
 
-/// Parts of a valid file of any number of points. '@' stands for the number of points, and '#' for
-/// the index of a row.
+/// Parts from which a valid file with n points is composed. '@' is replaced by n, and '#' by the
+/// index of a row.
 struct GoodFile
 {
   const char* Name;

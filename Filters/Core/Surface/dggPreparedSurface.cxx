@@ -399,8 +399,8 @@ void PreparedSurface::CollectWarnings()
   warn(report.DuplicateFaces,
     "triangles on the same three points as an earlier one, which are ignored");
   warn(this->Caps.NumberOfCaps,
-    JoinText("triangles without area, no higher than ", this->Caps.LargestHeight,
-      ", that are ignored: their neighbors are split where they meet"));
+    JoinText("triangles without area (height at most ", this->Caps.LargestHeight,
+      "), which are ignored. Their neighbors are split where they meet"));
   warn(this->Mesh.GetNumberOfDegenerateFaces(),
     JoinText(
       "triangles without area, whose edges are lengthened by ", this->Mesh.GetMollification()));

@@ -106,7 +106,7 @@ public:
   double GetMeanAnisotropy() const; ///< see MeasureMeanAnisotropy()
   const Locator& GetLocator() const;
   ///@}
-  /// Returns size, defects and quality of the surface. An empty surface has zeros, and is
+  /// Returns the size, defects and quality of the surface. An empty surface has zeros and is
   /// orientable.
   std::vector<ReportItem> ListReport() const;
   /// Returns the coordinates x y z per vertex.

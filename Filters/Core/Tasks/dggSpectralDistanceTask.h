@@ -33,7 +33,7 @@ protected:
 private:
   std::optional<SpectralDistance> Distance; // on the solver of SolverNumber
   int SolverNumber = 0;
-  int EarlierSpectra = 0; // for meshes before this one
+  int EarlierSpectra = 0; // number of spectra of earlier meshes
 };
 }
 
