@@ -57,14 +57,12 @@ endif ()
 set(packed)
 set(library "libvtkdgg${SOVERSION}")
 set(cloud_library)
-set(cloud_headers)
 if (WITH_PCL)
   set(cloud_library libpcl-kdtree)
-  set(cloud_headers libflann-dev liblz4-dev)
 endif ()
 check_package("${library}" libc6 libstdc++6 libvtk9. ${cloud_library})
 check_package(libvtkdgg-dev
-  "${library} (= ${VERSION}-1)" libvtk9-dev libvtk9-qt-dev ${cloud_headers})
+  "${library} (= ${VERSION}-1)" libvtk9-dev libvtk9-qt-dev)
 if (WITH_PYTHON)
   check_package(python3-vtkdgg
     "${library} (= ${VERSION}-1)" libvtk9. "python3 (>= 3." "python3 (<< 3." python3-numpy

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkDGGFastMarchingDistance.h"
 
-#include "DGGCloudMarching.h"
 #include "DGGDistanceInternals.h"
 
+#include "dggCloudMarching.h"
 #include "dggFastMarching.h"
 #include "dggMeshQuality.h"
 #include "dggProgressPart.h"
@@ -55,8 +55,8 @@ private:
   {
     std::uint64_t MeshBuild;
     std::unique_ptr<dgg::FastMarching> Solver;
-    std::unique_ptr<DGGCloudMarching> OnCloud; // used instead of Solver for clouds
-    double BandRadius;                         // as requested
+    std::unique_ptr<dgg::CloudMarching> OnCloud; // used instead of Solver for clouds
+    double BandRadius;                           // as requested
     int Resolution;
   };
 
@@ -189,15 +189,18 @@ dgg::Status vtkDGGFastMarchingDistance::vtkInternals::MarchOnCloud(DGGDistanceTa
     dgg::BandOptions options;
     options.OffsetInVoxels = this->Self->BandRadius;
     options.Resolution = this->Self->Resolution;
-    auto marching = std::make_unique<DGGCloudMarching>();
+    auto marching = std::make_unique<dgg::CloudMarching>();
     DGG_RETURN_IF_ERROR(
       marching->Prepare(context, options, dgg::ProgressPart(context.Progress, 0.0, BandShare)));
     this->Prepared.reset(new Preparation{ context.Surface.GetBuildNumber(), nullptr,
       std::move(marching), this->Self->BandRadius, this->Self->Resolution });
   }
-  const DGGCloudMarching& marching = *this->Prepared->OnCloud;
-  DGG_RETURN_IF_ERROR(
-    marching.Run(task, dgg::ProgressPart(context.Progress, isKept ? 0.0 : BandShare, 1.0)));
+  const dgg::CloudMarching& marching = *this->Prepared->OnCloud;
+  dgg::MarchingResult result;
+  DGG_RETURN_IF_ERROR(marching.Run(context, task.Sources, task.MaximumDistance,
+    dgg::ProgressPart(context.Progress, isKept ? 0.0 : BandShare, 1.0), result));
+  task.Distances = std::move(result.Distances);
+  task.NearestSource = std::move(result.NearestSource);
   this->UsedBandRadius = marching.GetBandRadius();
   this->UsedResolution = marching.GetResolution();
   return dgg::Status::Success();

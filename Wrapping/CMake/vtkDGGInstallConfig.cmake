@@ -16,9 +16,3 @@ install(
     "${CMAKE_BINARY_DIR}/${dgg_cmake_destination}/vtkDGGConfigVersion.cmake"
   DESTINATION "${dgg_cmake_destination}"
   COMPONENT development)
-if (DGG_WITH_PCL)
-  install(
-    FILES "${CMAKE_CURRENT_LIST_DIR}/vtkDGGFindFLANN.cmake"
-    DESTINATION "${dgg_cmake_destination}"
-    COMPONENT development)
-endif ()

@@ -52,7 +52,9 @@ endif ()
 file(READ "${PROJECT_SOURCE_DIR}/LICENSE" dgg_license)
 file(WRITE "${dgg_folder}/copyright" "vtkDGG, made into packages by CPack.\n\n${dgg_license}\n\
 The libraries hold compiled code of headers of Eigen and Spectra, which are under the MPL-2.0\n\
-(/usr/share/common-licenses/MPL-2.0) and in Debian's packages libeigen3-dev and libspectra-dev.\n\
+(/usr/share/common-licenses/MPL-2.0) and in Debian's packages libeigen3-dev and libspectra-dev,\n\
+and of nanoflann (libnanoflann-dev), Copyright 2008-2009 Marius Muja and David G. Lowe,\n\
+2011-2022 Jose Luis Blanco, under the BSD-2-Clause license.\n\
 ${dgg_others}")
 string(TIMESTAMP dgg_date "%a, %d %b %Y %H:%M:%S +0000" UTC)
 file(WRITE "${dgg_folder}/changelog.Debian" "vtkdgg (${dgg_version}) unstable; urgency=medium\n\n\
@@ -126,7 +128,6 @@ else ()
   # Debian's VTK searches its Qt modules in find_package().
   set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "libvtk9-dev, libvtk9-qt-dev")
   if (DGG_WITH_PCL)
-    string(APPEND CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS ", libflann-dev, liblz4-dev")
     set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SUGGESTS libpcl-dev)
   endif ()
 endif ()

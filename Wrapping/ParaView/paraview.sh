@@ -20,7 +20,7 @@ set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/../../Testing/setup.sh"
 
 # Packages that build a plugin, including missing dependencies of Debian's ParaView.
-builds=(build-essential cmake ninja-build libeigen3-dev libspectra-dev)
+builds=(build-essential cmake ninja-build libeigen3-dev libnanoflann-dev libspectra-dev)
 paraview=(paraview paraview-dev python3-paraview libqt5svg5-dev qtxmlpatterns5-dev-tools)
 
 build="$DGG_ROOT/build/paraview"

@@ -1,15 +1,16 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Neighbor searches in a cloud with FLANN. Internal.
+/// Neighbor searches in a cloud with nanoflann. Internal.
 #ifndef dggCloudNeighbors_h
 #define dggCloudNeighbors_h
 
-#include "dggPoint3.h" // for Point3
-#include "dggTypes.h"  // for Id
+#include "dggCoreExport.h" // for DGG_CORE_EXPORT
+#include "dggPoint3.h"     // for Point3
+#include "dggTypes.h"      // for Id
 
 #include <cstddef> // for std::size_t
-#include <memory>  // for the FLANN index
+#include <memory>  // for the kd-tree
 #include <vector>  // for results
 
 namespace dgg
@@ -23,7 +24,7 @@ struct CloudNeighbor
 /// A kd-tree of points. The points must outlive the tree. Searches are exact and may run in several
 /// threads simultaneously. Results are sorted by distance; points at equal distance are sorted by
 /// id. Points must be finite, and squared distances must be within the range of double.
-class CloudNeighbors
+class DGG_CORE_EXPORT CloudNeighbors
 {
 public:
   explicit CloudNeighbors(const std::vector<Point3>& points);
@@ -44,7 +45,7 @@ public:
 
 private:
   class Tree;
-  std::unique_ptr<Tree> Index;
+  std::unique_ptr<Tree> KdTree;
 };
 }
 

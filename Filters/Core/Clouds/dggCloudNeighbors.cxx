@@ -2,19 +2,35 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggCloudNeighbors.h"
 
+#include <nanoflann.hpp>
+
 #include <algorithm>
 #include <limits>
-
-#include <flann/algorithms/dist.h>
-#include <flann/algorithms/kdtree_single_index.h>
 
 namespace dgg
 {
 namespace
 {
-using Distance = flann::L2_3D<double>;
+/// The points, in the form that nanoflann requires.
+struct Positions
+{
+  const std::vector<Point3>& Points;
 
-static_assert(sizeof(Point3) == 3 * sizeof(double), "FLANN reads points as rows of numbers");
+  std::size_t kdtree_get_point_count() const { return this->Points.size(); }
+  double kdtree_get_pt(std::size_t i, std::size_t axis) const
+  {
+    const Point3& p = this->Points[i];
+    return axis == 0 ? p.X : axis == 1 ? p.Y : p.Z;
+  }
+  template <class Box>
+  bool kdtree_get_bbox(Box&) const
+  {
+    return false; // nanoflann computes it
+  }
+};
+
+using Index = nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, Positions>,
+  Positions, 3, Id>;
 
 /// A function object rather than a function, so that calls are inlined.
 constexpr auto IsCloser = [](const CloudNeighbor& a, const CloudNeighbor& b) {
@@ -22,7 +38,7 @@ constexpr auto IsCloser = [](const CloudNeighbor& a, const CloudNeighbor& b) {
                                                 : a.Point < b.Point;
 };
 
-/// Returns a slightly larger bound. FLANN visits only points closer than the bound, which would
+/// Returns a slightly larger bound. nanoflann visits only points closer than the bound, which would
 /// exclude points exactly at that distance.
 double WithHair(double squaredDistance)
 {
@@ -30,7 +46,7 @@ double WithHair(double squaredDistance)
 }
 
 /// The nearest points found so far: a heap with the farthest of them on top.
-class NearestSet : public flann::ResultSet<double>
+class NearestSet
 {
 public:
   NearestSet(std::size_t most, double squaredRadius, std::vector<CloudNeighbor>& neighbors)
@@ -41,11 +57,13 @@ public:
     this->Neighbors.clear();
   }
 
-  bool full() const override { return true; }
+  bool full() const { return true; }
+  void sort() {} // by Find()
 
-  void addPoint(double squaredDistance, std::size_t index) override
+  /// Returns true: the search continues.
+  bool addPoint(double squaredDistance, Id point)
   {
-    const CloudNeighbor neighbor{ static_cast<Id>(index), squaredDistance };
+    const CloudNeighbor neighbor{ point, squaredDistance };
     if (this->Neighbors.size() < this->Most)
     {
       if (squaredDistance <= this->SquaredRadius)
@@ -63,9 +81,10 @@ public:
       this->Neighbors.back() = neighbor;
       std::push_heap(this->Neighbors.begin(), this->Neighbors.end(), IsCloser);
     }
+    return true;
   }
 
-  double worstDist() const override
+  double worstDist() const
   {
     const double farthest = this->Neighbors.size() < this->Most
       ? this->SquaredRadius
@@ -80,7 +99,7 @@ private:
 };
 
 /// Counts the points within a radius.
-class Counter : public flann::ResultSet<double>
+class Counter
 {
 public:
   explicit Counter(double squaredRadius)
@@ -89,12 +108,14 @@ public:
   }
 
   std::size_t GetCount() const { return this->Count; }
-  bool full() const override { return true; }
-  void addPoint(double squaredDistance, std::size_t) override
+  bool full() const { return true; }
+  void sort() {}
+  bool addPoint(double squaredDistance, Id)
   {
     this->Count += squaredDistance <= this->SquaredRadius ? 1 : 0;
+    return true;
   }
-  double worstDist() const override { return WithHair(this->SquaredRadius); }
+  double worstDist() const { return WithHair(this->SquaredRadius); }
 
 private:
   double SquaredRadius;
@@ -106,24 +127,18 @@ class CloudNeighbors::Tree
 {
 public:
   explicit Tree(const std::vector<Point3>& points)
-    : Points(points)
-    , Index(flann::KDTreeSingleIndexParams(12, true))
+    : Places{ points }
+    , Nodes(3, this->Places, nanoflann::KDTreeSingleIndexAdaptorParams(12))
   {
-    // FLANN takes non-const data without changing it, and rejects empty data sets.
-    if (!points.empty())
-    {
-      this->Index.buildIndex(
-        flann::Matrix<double>(const_cast<double*>(&points[0].X), points.size(), 3));
-    }
   }
 
   void Find(const Point3& place, std::size_t most, double squaredRadius,
     std::vector<CloudNeighbor>& neighbors) const
   {
     NearestSet set(most, squaredRadius, neighbors);
-    if (!this->Points.empty() && most > 0)
+    if (most > 0)
     {
-      this->Index.findNeighbors(set, &place.X, flann::SearchParams());
+      this->Nodes.findNeighbors(set, &place.X, {});
     }
     std::sort(neighbors.begin(), neighbors.end(), IsCloser);
   }
@@ -131,20 +146,17 @@ public:
   std::size_t Count(const Point3& place, double squaredRadius) const
   {
     Counter counter(squaredRadius);
-    if (!this->Points.empty())
-    {
-      this->Index.findNeighbors(counter, &place.X, flann::SearchParams());
-    }
+    this->Nodes.findNeighbors(counter, &place.X, {});
     return counter.GetCount();
   }
 
 private:
-  const std::vector<Point3>& Points;
-  flann::KDTreeSingleIndex<Distance> Index;
+  Positions Places;
+  Index Nodes;
 };
 
 CloudNeighbors::CloudNeighbors(const std::vector<Point3>& points)
-  : Index(std::make_unique<Tree>(points))
+  : KdTree(std::make_unique<Tree>(points))
 {
 }
 
@@ -153,17 +165,17 @@ CloudNeighbors::~CloudNeighbors() = default;
 void CloudNeighbors::FindNearest(
   const Point3& place, std::size_t count, std::vector<CloudNeighbor>& neighbors) const
 {
-  this->Index->Find(place, count, std::numeric_limits<double>::max() / 4.0, neighbors);
+  this->KdTree->Find(place, count, std::numeric_limits<double>::max() / 4.0, neighbors);
 }
 
 void CloudNeighbors::FindWithin(
   const Point3& place, double radius, std::vector<CloudNeighbor>& neighbors) const
 {
-  this->Index->Find(place, std::numeric_limits<std::size_t>::max(), radius * radius, neighbors);
+  this->KdTree->Find(place, std::numeric_limits<std::size_t>::max(), radius * radius, neighbors);
 }
 
 std::size_t CloudNeighbors::CountWithin(const Point3& place, double radius) const
 {
-  return this->Index->Count(place, radius * radius);
+  return this->KdTree->Count(place, radius * radius);
 }
 }
