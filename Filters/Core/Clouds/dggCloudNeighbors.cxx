@@ -49,6 +49,9 @@ double WithHair(double squaredDistance)
 class NearestSet
 {
 public:
+  using DistanceType = double;
+  using IndexType = Id;
+
   NearestSet(std::size_t most, double squaredRadius, std::vector<CloudNeighbor>& neighbors)
     : Most(most)
     , SquaredRadius(squaredRadius)
@@ -102,6 +105,9 @@ private:
 class Counter
 {
 public:
+  using DistanceType = double;
+  using IndexType = Id;
+
   explicit Counter(double squaredRadius)
     : SquaredRadius(squaredRadius)
   {
