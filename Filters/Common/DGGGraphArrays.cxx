@@ -5,6 +5,7 @@
 #include "DGGIsInteger.h"
 #include "DGGMakeArray.h"
 
+#include "dggCounted.h"
 #include "dggPreparedSurface.h"
 
 #include "vtkDoubleArray.h"
@@ -43,7 +44,7 @@ dgg::StoredArray MakeStoredArray(vtkAbstractArray* array)
     stored.Data = array->HasStandardMemoryLayout() ? array->GetVoidPointer(0) : nullptr;
     stored.Size = array->GetNumberOfValues();
     stored.Description = std::string(array->GetDataTypeAsString()) + " with " +
-      std::to_string(array->GetNumberOfComponents()) + " components";
+      dgg::Counted(array->GetNumberOfComponents(), "component");
   }
   return stored;
 }

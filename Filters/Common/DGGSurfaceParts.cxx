@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DGGSurfaceParts.h"
 
+#include "dggCounted.h"
 #include "dggStatus.h"
 
 #include "vtkCellArray.h"
@@ -259,7 +260,7 @@ dgg::Status DGGCheckCells(vtkPolyData* part)
         if (ids[k] < 0 || ids[k] >= part->GetNumberOfPoints())
         {
           return dgg::InvalidInput("A cell of a piece of the input refers to point ", ids[k],
-            ", but the piece has ", part->GetNumberOfPoints(), " points")
+            ", but the piece has ", dgg::Counted(part->GetNumberOfPoints(), "point"))
             .Fix("Repair the cell");
         }
       }

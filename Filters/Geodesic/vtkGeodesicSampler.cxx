@@ -6,6 +6,7 @@
 #include "DGGProperties.h"
 #include "DGGSources.h"
 
+#include "dggCounted.h"
 #include "dggOutput.h"
 #include "dggPreparedSurface.h"
 #include "dggSampleSearch.h"
@@ -107,8 +108,8 @@ dgg::Status vtkGeodesicSampler::vtkInternals::MakeOptions(
     const vtkIdType n = context.Input->GetNumberOfPoints();
     if (this->Self->FirstSample < -1 || this->Self->FirstSample >= n)
     {
-      return dgg::InvalidInput(
-        "{FirstSample} ", this->Self->FirstSample, " is out of range: the input has ", n, " points")
+      return dgg::InvalidInput("{FirstSample} ", this->Self->FirstSample,
+        " is out of range: the input has ", dgg::Counted(n, "point"))
         .At("FirstSample", this->Self->FirstSample)
         .Fix("Use an id from 0 to ", n - 1, ", or -1");
     }

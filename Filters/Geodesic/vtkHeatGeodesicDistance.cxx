@@ -4,6 +4,7 @@
 
 #include "DGGDistanceInternals.h"
 
+#include "dggCounted.h"
 #include "dggHeatMethod.h"
 #include "dggMeshQuality.h"
 #include "dggProgressPart.h"
@@ -27,8 +28,8 @@ std::string DescribeQuality(const dgg::PreparedSurface& surface, double factor, 
 {
   return dgg::JoinReasons({ dgg::DescribeLongTriangles(surface, dgg::LongTrianglesMislead),
     triangles < dgg::FewestUsefulTriangles
-      ? dgg::JoinText("A source is on a component of ", triangles, " triangles, fewer than ",
-          dgg::FewestUsefulTriangles,
+      ? dgg::JoinText("A source is on a component of ", dgg::Counted(triangles, "triangle"),
+          ", fewer than ", dgg::FewestUsefulTriangles,
           ", where mean errors are 10 % or more. Use exact distances, or subdivide the triangles")
       : "",
     factor < dgg::SmallestUsefulFactor || factor > dgg::LargestUsefulFactor

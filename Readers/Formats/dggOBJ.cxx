@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "dggCounted.h"
 #include "dggParsers.h"
 #include "dggWriters.h"
 
@@ -203,7 +204,8 @@ private:
     }
     if (corners < least)
     {
-      this->Fail("the ", name, " has ", corners, " points. Expected at least ", least);
+      this->Fail(
+        "the ", name, " has ", dgg::Counted(corners, "point"), ". Expected at least ", least);
     }
     cells.EndCell();
   }
@@ -282,8 +284,8 @@ private:
   {
     const char* const names[] = { "point", "texture coordinate", "normal" };
     dgg::Fail(FileCode::Malformed, "line ", line, ": the ", names[kind], " ", number,
-      " is out of range: the file has ", count, " ", names[kind],
-      number < 0 ? "s before this line" : "s", ", numbered from 1");
+      " is out of range: the file has ", dgg::Counted(count, names[kind]),
+      number < 0 ? " before this line" : "", ", numbered from 1");
   }
 
   /// Adds the colors, which are fractions of 1 or of 255. Any other numbers are not colors.

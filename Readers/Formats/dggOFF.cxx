@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "dggCounted.h"
 #include "dggParsers.h"
 #include "dggWriters.h"
 
@@ -222,8 +223,8 @@ private:
     const auto f = static_cast<std::size_t>(faces);
     if (v > room / perVertex || f > room / perFace || v * perVertex + f * perFace > room)
     {
-      this->Fail(Premature, "the header declares ", v, " vertices and ", f, " faces, but only ",
-        room - 1, " bytes follow");
+      this->Fail(Premature, "the header declares ", dgg::Counted(v, "vertex", "vertices"), " and ",
+        dgg::Counted(f, "face"), ", but only ", room - 1, " bytes follow");
     }
     this->NumberOfVertices = v;
     this->NumberOfFaces = f;
@@ -276,8 +277,9 @@ private:
     }
     if (static_cast<std::size_t>(corners) > (this->Text.GetBytesLeft() + 1) / this->GetLeastBytes())
     {
-      this->Fail(Premature, "face ", face, " declares ", corners, " vertices, but only ",
-        this->Text.GetBytesLeft(), " bytes follow");
+      this->Fail(Premature, "face ", face, " declares ",
+        dgg::Counted(corners, "vertex", "vertices"), ", but only ", this->Text.GetBytesLeft(),
+        " bytes follow");
     }
     this->Corners.clear();
     for (long long k = 0; k < corners; ++k)
@@ -286,7 +288,7 @@ private:
       if (vertex < 0 || vertex >= static_cast<long long>(this->NumberOfVertices))
       {
         this->Fail(Malformed, "face ", face, " refers to vertex ", vertex, ", but the file has ",
-          this->NumberOfVertices, " vertices, numbered from 0");
+          dgg::Counted(this->NumberOfVertices, "vertex", "vertices"), ", numbered from 0");
       }
       this->Corners.push_back(vertex);
     }

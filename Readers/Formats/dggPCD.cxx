@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "dggCounted.h"
 #include "dggLZF.h"
 #include "dggPCDHeader.h"
 #include "dggParsers.h"
@@ -97,8 +98,8 @@ private:
     {
       if (point == this->Count)
       {
-        this->FailAtLine(Malformed, this->Text.GetLine(), "data follow the last of ", point,
-          " points. Increase POINTS, WIDTH or HEIGHT");
+        this->FailAtLine(Malformed, this->Text.GetLine(), "data follow the last of ",
+          dgg::Counted(point, "point"), ". Increase POINTS, WIDTH or HEIGHT");
       }
       this->ReadPoint(point, types, numbers, out);
       this->Progress.At(point + 1, this->Text.GetFraction());
@@ -106,7 +107,7 @@ private:
     if (point != this->Count)
     {
       this->FailAtLine(Premature, this->Text.GetLine(), "the file ends after ", point, " of ",
-        this->Count, " points");
+        dgg::Counted(this->Count, "point"));
     }
   }
 
@@ -177,7 +178,7 @@ private:
     if (!hasPadding && !fits(packed))
     {
       this->FailAtByte(Malformed, 0, "the compressed data declare ", uncompressed,
-        " bytes, which are not ", this->Count, " points of ", packed, " bytes");
+        " bytes, which are not ", dgg::Counted(this->Count, "point"), " of ", packed, " bytes");
     }
     this->Progress(0.1);
     if (uncompressed / dgg::LZFMaximumRatio > compressed)
@@ -231,9 +232,9 @@ private:
   {
     if (this->Count > room / leastBytes)
     {
-      this->FailAtLine(Premature, this->Header.CountLine, this->Count, " points of at least ",
-        leastBytes, " bytes are declared, but only ", this->Text.GetBytesLeft(),
-        " bytes follow the header");
+      this->FailAtLine(Premature, this->Header.CountLine, "the header declares ",
+        dgg::Counted(this->Count, "point"), " of at least ", leastBytes, " bytes, but only ",
+        this->Text.GetBytesLeft(), " bytes follow it");
     }
   }
 
@@ -244,8 +245,8 @@ private:
     const std::size_t trouble = this->Text.GetRest().find_first_not_of('\0', begin);
     if (trouble != std::string_view::npos)
     {
-      this->FailAtByte(Malformed, trouble, "data follow the last of ", this->Count,
-        " points. Increase POINTS, WIDTH or HEIGHT");
+      this->FailAtByte(Malformed, trouble, "data follow the last of ",
+        dgg::Counted(this->Count, "point"), ". Increase POINTS, WIDTH or HEIGHT");
     }
   }
 

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "dggCounted.h"
 #include "dggNumberTypes.h"
 #include "dggParsers.h"
 
@@ -387,8 +388,8 @@ private:
       const auto id = this->Read<std::int64_t>(property.Type);
       if (id >= this->NumberOfPoints || id < (property.Use == ListUse::Strips ? -1 : 0))
       {
-        this->Fail("the point ", id, " is out of range: the file has ", this->NumberOfPoints,
-          " points, numbered from 0");
+        this->Fail("the point ", id, " is out of range: the file has ",
+          dgg::Counted(this->NumberOfPoints, "point"), ", numbered from 0");
       }
       this->Corners.push_back(id);
     }

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "dggCounted.h"
 #include "dggParsers.h"
 #include "dggWriters.h"
 
@@ -129,7 +130,7 @@ void ParseBinary(std::string_view file, const dgg::ProgressReport& progress, dgg
   if (file.size() != expected)
   {
     dgg::Fail(file.size() < expected ? FileCode::Premature : FileCode::Malformed,
-      "byte 80: the header declares ", facets, " triangles, which take ", expected,
+      "byte 80: the header declares ", dgg::Counted(facets, "triangle"), " in ", expected,
       " bytes, but the file has ", file.size(), " bytes");
   }
   mesh.HasFloatPoints = true;

@@ -121,8 +121,8 @@ void dgg::ParseXYZ(std::string_view file, const ProgressReport& progress, MeshDa
   const auto points = static_cast<double>(mesh.GetNumberOfPoints());
   if (count >= 0.0 && count != points)
   {
-    Fail(points < count ? FileCode::Premature : FileCode::Malformed, "the file declares ", count,
-      " points, but has ", points);
+    Fail(points < count ? FileCode::Premature : FileCode::Malformed,
+      "the declared number of points is ", count, ", but the file has ", points);
   }
   if (mesh.Points.empty())
   {

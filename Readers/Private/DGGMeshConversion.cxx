@@ -290,8 +290,8 @@ dgg::FileStatus vtkDGG::FromPolyData(vtkPolyData* input, dgg::MeshData& mesh)
     !AddCells(triangles, count, mesh.Polygons, areKept))
   {
     return { dgg::FileStatus::Code::Malformed,
-      "a cell has a point id that is out of range: there are " + std::to_string(count) +
-        " points." };
+      "a cell has a point id that is out of range: the number of points is " +
+        std::to_string(count) + "." };
   }
   dgg::FileStatus status = ReadArrays(input->GetPointData(), "point", count, mesh.PointArrays);
   if (status.IsOk() && strips->GetNumberOfCells() == 0)

@@ -83,7 +83,7 @@ TEST(AwkwardSurfaces, NonManifoldEdgeConducts)
                                { { 1, 1, 0 } }, { { 2, 1, 0 } }, { { 1, 0, 1 } }, { { 1, 1, 1 } } },
     { { 0, 1, 4, 3 }, { 1, 2, 5, 4 }, { 1, 4, 7, 6 } });
   const auto filter = MakeExact(surface, 0);
-  ExpectWarning(filter, { "1 edges with more than two triangles" });
+  ExpectWarning(filter, { "1 edge with more than two triangles" });
   EXPECT_EQ(GetReported(filter, "NumberOfNonManifoldEdges"), 1);
   EXPECT_EQ(GetReported(filter, "Genus"), -1);
   EXPECT_NE(filter->GetMeshReport().find("genus: undefined\n"), std::string::npos);
@@ -107,7 +107,7 @@ TEST(AwkwardSurfaces, DuplicateTriangles)
   const vtkIdType copy[3] = { ids[0], ids[1], ids[2] };
   surface->GetPolys()->InsertNextCell(3, copy);
   const auto filter = MakeExact(surface, 0);
-  ExpectWarning(filter, { "1 triangles on the same three points as an earlier one" });
+  ExpectWarning(filter, { "1 triangle on the same three points as an earlier one" });
   EXPECT_EQ(GetReported(filter, "NumberOfDuplicateFaces"), 1);
   EXPECT_EQ(GetReported(filter, "NumberOfNonManifoldEdges"), 0);
   ExpectEuclidean(filter, surface);

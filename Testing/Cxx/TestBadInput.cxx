@@ -95,7 +95,7 @@ TEST_F(BadInput, SurfacesThatAreRefused)
     { MakeGrid(3, 3, GridCells::Triangles, 1e100), { "scale the mesh" } },
     { MakeGrid(3, 3, GridCells::Triangles, 1e-100), { "scale the mesh" } },
     { MakeSurface(points, { { 0, 0, 0 }, { 0, 1 }, { 2 }, { 0, 1, 0, 1 }, { 1, 2, 2, 1 } }),
-      { "none of the 5 polygons", "three distinct points" } },
+      { "5 polygons or strips, but none with three distinct points" } },
     { MakeSurface({ p, p, p }, { { 0, 1, 2 } }), { "single points" } },
   };
   for (const auto& refused : cases)

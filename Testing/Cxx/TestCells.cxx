@@ -187,7 +187,7 @@ TEST_F(CellKinds, PolygonThatCrossesItself)
     { { 0, 1, 2, 3, 4 } });
   this->Filter->SetInputData(surface);
   this->Filter->SetSourceIds({ 0 });
-  ExpectWarning(this->Filter, { "1 polygons that cross or touch themselves" });
+  ExpectWarning(this->Filter, { "1 self-intersecting or self-touching polygon." });
   for (const double d : GetDistances(this->Filter))
   {
     EXPECT_TRUE(std::isfinite(d));

@@ -190,7 +190,7 @@ TEST(DiscreteGreensFunction, WarnsWhereAMethodCannotBeUsed)
 {
   Fixture sphere(MakeSphere(0));
   sphere.Filter->SetSourceIds({ 3, 4 });
-  ExpectWarning(sphere.Filter, { "2 of the 2 sources", "too coarse" });
+  ExpectWarning(sphere.Filter, { "2 of 2 sources", "too coarse" });
   EXPECT_EQ(sphere.Filter->GetUsedMethod(0), vtkDiscreteGreensFunction::Interpolated);
   EXPECT_EQ(sphere.Filter->GetUsedRadius(0), 0.0);
   // Ridges cause neither a change of the method nor a warning at many sources.

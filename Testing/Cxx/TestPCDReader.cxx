@@ -362,7 +362,7 @@ TEST_F(PCDReader, AllocatesNothingForEmptyPromises)
   // Few points, but huge ones.
   this->ExpectRefused(
     Fields("x y z h", "4 4 4 8", "F F F F", "1 1 1 100000000", "ascii") + "0 0 0\n", Premature,
-    { "declared" });
+    { "the header declares" });
   EXPECT_LT(GetPeak() - before, 30000);
 }
 

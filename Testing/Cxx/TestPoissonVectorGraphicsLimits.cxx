@@ -28,9 +28,9 @@ TEST(PoissonVectorGraphics, WrongCurves)
   AddArray(drawing.OfCells(), "LeftColor", { 1, 2 }, 1);
   ExpectError(filter, { "'RightColor'" });
   AddArray(drawing.OfCells(), "RightColor", { 1, 2, 3, 4 }, 2);
-  ExpectError(filter, { "'LeftColor'", "1 components", "'RightColor' has 2" });
+  ExpectError(filter, { "'LeftColor'", "1 component,", "'RightColor' has 2" });
   AddArray(drawing.OfCells(), "RightColor", { 1 }, 1);
-  ExpectError(filter, { "'RightColor'", "1 tuples", "with 2 tuples" });
+  ExpectError(filter, { "'RightColor'", "1 tuple.", "with 2 tuples" });
   for (const double wrong : { NaN, std::numeric_limits<double>::infinity() })
   {
     AddArray(drawing.OfCells(), "RightColor", { 1, wrong }, 1);
@@ -59,7 +59,7 @@ TEST(PoissonVectorGraphics, WrongCurves)
     ExpectError(filter, { "'Width'", "at cell 1", "finite" });
   }
   AddArray(drawing.OfCells(), "Width", { 1 }, 1);
-  ExpectError(filter, { "'Width'", "1 tuples", "with 2 tuples" });
+  ExpectError(filter, { "'Width'", "1 tuple.", "with 2 tuples" });
   AddArray(drawing.OfCells(), "Width", { 1, 1, 1, 1 }, 2);
   ExpectError(filter, { "'Width'", "2 components" });
   AddArray(drawing.OfCells(), "Width", { 0, 1 }, 1);
@@ -96,7 +96,7 @@ TEST(PoissonVectorGraphics, SurfacesWithoutSides)
     { { 0, 1, 5, 4 }, { 4, 5, 2, 3 }, { 4, 5, 6 } });
   filter->SetInputData(book);
   ExpectError(
-    filter, { "line 0 of input port 1", "edges of more than two faces", "oriented manifold" });
+    filter, { "line 0 of input port 1", "1 edge of more than two faces", "oriented manifold" });
   EXPECT_EQ(filter->GetMemorySize(), 0u); // no state remains after a failure
   // A curve on a Moebius band: sides are undefined across the seam, but defined elsewhere.
   Points points;

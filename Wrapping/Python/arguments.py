@@ -12,7 +12,7 @@ import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
-from .checks import check_ids, coordinates, numbers  # noqa: F401
+from .checks import check_ids, coordinates, numbers, there_are  # noqa: F401
 from .surface import add_array, cells_of, configured, vtk_points
 
 if TYPE_CHECKING:
@@ -212,8 +212,8 @@ def _check_faces(points, name, surface, is_cloud):
         face, weights = points.faces[i], points.barycentric[i]
         entry = f"{name}: face {face} (entry {i})"
         if not 0 <= face < surface.GetNumberOfCells():
-            count = surface.GetNumberOfCells()
-            raise ValueError(f"{entry} does not exist; there are {count} cells")
+            cells = there_are(surface.GetNumberOfCells(), "cell")
+            raise ValueError(f"{entry} does not exist; {cells}")
         polygon = face - first
         if not 0 <= polygon < len(offsets) - 1 or offsets[polygon + 1] - offsets[polygon] != 3:
             raise ValueError(f"{entry} is not a triangle; barycentric coordinates need one")

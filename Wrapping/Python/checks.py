@@ -1,8 +1,18 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Checks of arrays. This module imports no VTK."""
+"""Checks of arrays, and counts in messages. This module imports no VTK."""
 
 import numpy as np
+
+
+def counted(count, one, many=None):
+    """Returns a count with its unit in the singular or the plural."""
+    return f"{count} {one if count == 1 else many or one + 's'}"
+
+
+def there_are(count, one):
+    """Returns a clause such as "there are 2 points"."""
+    return f"there {'is' if count == 1 else 'are'} {counted(count, one)}"
 
 
 def numbers(values, name, kind="number"):
@@ -46,8 +56,7 @@ def check_ids(array, number_of_points, name):
     outside = (array < 0) | (array >= number_of_points)
     if outside.any():
         entry = np.unravel_index(int(np.argmax(outside)), array.shape)
-        known = "is 1 point" if number_of_points == 1 else f"are {number_of_points} points"
         raise ValueError(
             f"{name}: point id {array[entry]} (entry {', '.join(map(str, entry))}) does not exist; "
-            f"there {known}"
+            f"{there_are(number_of_points, 'point')}"
         )

@@ -11,6 +11,7 @@ import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 from . import arguments, meshes
+from .checks import counted
 from .cloud_graph import CloudGraph
 from .commands import files
 from .commands.measured import Errors
@@ -223,7 +224,7 @@ class Scene:
 
     def status(self):
         """Returns lines of text that describe the view."""
-        lines = [f"{self.surface.GetNumberOfPoints()} points"]
+        lines = [counted(self.surface.GetNumberOfPoints(), "point")]
         if self.values is not None and self.shown == "greens":
             lines[0] += ", Green's function"
         elif self.values is not None:

@@ -12,6 +12,7 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 from . import arguments
+from .checks import counted
 from .errors import run
 from .graph_info import ARRAYS, CONSTRUCTIONS, GraphInfo
 from .surface import from_arrays, shallow_copy, to_arrays
@@ -114,10 +115,8 @@ class GraphData:
             kind = f"scheme {kind}"
         elif self.accuracy is not None:
             kind += f", accuracy {self.accuracy:g}"
-        return (
-            f"<vtkdgg.{type(self).__name__}: {self.number_of_points} points, {len(self.targets)} "
-            f"edges, {kind}, {self.nbytes / 2**20:.1f} MiB>"
-        )
+        size = f"{counted(self.number_of_points, 'point')}, {counted(len(self.targets), 'edge')}"
+        return f"<vtkdgg.{type(self).__name__}: {size}, {kind}, {self.nbytes / 2**20:.1f} MiB>"
 
     def __getstate__(self):
         # Without filters, which repeat their preparation.

@@ -12,6 +12,7 @@ from urllib.parse import unquote_to_bytes
 
 import numpy as np
 
+from .checks import counted
 from .data_set import ATTRIBUTES, POLYHEDRON, DataSet, faces_of, in_rows, parsed
 from .mesh import unpacked
 
@@ -156,7 +157,9 @@ class LegacyFile:
                 continue
             name, components, rows = _name(words[0]), _count(words[1]), _count(words[2])
             if self._rows not in (None, rows):
-                raise ValueError(f"expected {self._rows} rows, got array {name!r} of {rows}")
+                raise ValueError(
+                    f"expected {counted(self._rows, 'row')}, got array {name!r} of {rows}"
+                )
             values = self._values(components * rows, words[3])
             if values is None:
                 self._result.texts.append(name)
@@ -181,7 +184,7 @@ class LegacyFile:
             except ValueError:
                 raise ValueError("the sizes of cells contradict the number of entries") from None
             if len(sizes) != first:
-                raise ValueError(f"expected {first} cells, got {len(sizes)}")
+                raise ValueError(f"expected {counted(first, 'cell')}, got {len(sizes)}")
             return np.concatenate([[0], np.cumsum(sizes)]).astype(np.int64), corners
         if first == 0:
             return np.zeros(1, dtype=np.int64), np.zeros(0, dtype=np.int64)

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, Dict, Optional, Tuple
 
 import numpy as np
 
-from .checks import check_ids, coordinates, numbers
+from .checks import check_ids, coordinates, counted, numbers
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
@@ -116,8 +116,8 @@ class Mesh:
 
     def __repr__(self) -> str:
         counts = {"line": len(self.lines[0]) - 1, "polygon": len(self.polygons[0]) - 1}
-        parts = [f"{n} {one}{'s' * (n != 1)}" for one, n in counts.items() if n]
-        return f"<vtkdgg.Mesh: {', '.join([f'{len(self.points)} points', *parts])}>"
+        parts = [counted(n, one) for one, n in counts.items() if n]
+        return f"<vtkdgg.Mesh: {', '.join([counted(len(self.points), 'point'), *parts])}>"
 
 
 def checked_cells(pair, name, number_of_points, least=0):

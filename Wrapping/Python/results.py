@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, List
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
+from .checks import counted
 from .surface import coordinates_of
 
 if TYPE_CHECKING:
@@ -168,7 +169,7 @@ class Voronoi:
     areas: NDArray[np.float64] | None
 
     def __repr__(self) -> str:
-        return f"<vtkdgg.Voronoi: {len(self.sites)} sites, {len(self.nearest)} points>"
+        return f"<vtkdgg.Voronoi: {counted(len(self.sites), 'site')}, {len(self.nearest)} points>"
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)

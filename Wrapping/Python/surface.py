@@ -21,6 +21,7 @@ from vtkmodules.vtkCommonDataModel import (
 )
 from vtkmodules.vtkFiltersGeometry import vtkDataSetSurfaceFilter
 
+from .checks import counted
 from .data_set import POLYHEDRON, DataSet
 from .errors import check, depth_of_package
 from .mesh import checked_cells
@@ -145,7 +146,9 @@ def grid_of(data):
     """
     if data.kind == "STRUCTURED_GRID":
         if np.prod(data.dimensions, dtype=object) != len(data.points):
-            raise ValueError(f"dimensions {data.dimensions} contradict {len(data.points)} points")
+            raise ValueError(
+                f"dimensions {data.dimensions} contradict {counted(len(data.points), 'point')}"
+            )
         grid = configured(vtkStructuredGrid(), Dimensions=data.dimensions)
     else:
         grid = vtkUnstructuredGrid()
@@ -258,7 +261,8 @@ def _add_cells(grid, data):
     offsets, corners = checked_cells(data.cells["cells"], "cells", len(data.points))
     sizes = np.diff(offsets)
     if len(sizes) != len(data.types):
-        raise ValueError(f"there are {len(sizes)} cells, but {len(data.types)} cell types")
+        cells, types = counted(len(sizes), "cell"), counted(len(data.types), "cell type")
+        raise ValueError(f"expected one type per cell, got {cells} and {types}")
     for kind in np.unique(data.types).tolist():
         for size in np.unique(sizes[data.types == kind]).tolist():
             if not _is_size(kind, size):

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggSurfaceCut.h"
 
+#include "dggCounted.h"
 #include "dggDisjointSets.h"
 #include "dggPathEdges.h"
 #include "dggStatus.h"
@@ -115,9 +116,10 @@ Status PathCutter::CheckSides() const
   {
     return Status::Success();
   }
-  return InvalidInput("Curves have no sides where they meet ", this->CountDefects(Defect::Crowded),
-    " edges of more than two faces and ", this->CountDefects(Defect::Twisted),
-    " edges of two faces with opposite orientations")
+  return InvalidInput("Curves have no sides where they meet ",
+    Counted(this->CountDefects(Defect::Crowded), "edge"), " of more than two faces and ",
+    Counted(this->CountDefects(Defect::Twisted), "edge"),
+    " of two faces with opposite orientations")
     .Fix("Make the surface an oriented manifold, and draw no curves across the seam of a one-sided "
          "surface");
 }

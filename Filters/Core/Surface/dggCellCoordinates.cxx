@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggCellCoordinates.h"
 
+#include "dggCounted.h"
 #include "dggStatus.h"
 #include "dggSurfacePath.h"
 
@@ -38,7 +39,7 @@ Status CellCoordinates::Check(double cell, const Coordinates& coordinates) const
   }
   if (!(cell >= 0.0 && cell < static_cast<double>(count)))
   {
-    return InvalidInput("FaceId ", cell, " is out of range: the input has ", count, " cells")
+    return InvalidInput("FaceId ", cell, " is out of range: the input has ", Counted(count, "cell"))
       .Fix("Correct the array FaceId");
   }
   const Offset polygon = static_cast<Offset>(cell) - this->Input.FirstCell;

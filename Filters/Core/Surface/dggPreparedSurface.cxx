@@ -5,6 +5,7 @@
 #include "dggBitHash.h"
 #include "dggBoxTree.h"
 #include "dggCoincidentPoints.h"
+#include "dggCounted.h"
 #include "dggLocator.h"
 #include "dggPoint3.h"
 #include "dggPolygonTriangulator.h"
@@ -194,8 +195,8 @@ Status PreparedSurface::CheckCells(const CellArrays& cells, Offset firstCell) co
   const Offset cell = firstCell + (next - cells.Offsets) - 1;
   if (*wrong < 0 || *wrong >= n)
   {
-    return InvalidInput("Cell ", cell, " refers to point ", *wrong, ", but the input has ", n,
-      n == 1 ? " point" : " points")
+    return InvalidInput(
+      "Cell ", cell, " refers to point ", *wrong, ", but the input has ", Counted(n, "point"))
       .Fix("Repair the cell");
   }
   const Point3 p = PointAt(this->Positions.data(), static_cast<Id>(*wrong));
@@ -219,13 +220,14 @@ Status PreparedSurface::Triangulate(const SurfaceArrays& input, std::vector<Id>&
   if (this->InputDomain.MergeTolerance > 0.0 && this->NumberOfMergedPoints > 0)
   {
     return InvalidInput("No polygon has three distinct points after a {MergeTolerance} of ",
-      this->InputDomain.MergeTolerance, " merged ", this->NumberOfMergedPoints,
-      " points with others")
+      this->InputDomain.MergeTolerance, " merged ", Counted(this->NumberOfMergedPoints, "point"),
+      " with others")
       .At("MergeTolerance")
       .Fix("Use a smaller {MergeTolerance}");
   }
-  return InvalidInput("None of the ", this->NumberOfDroppedCells,
-    " polygons and strips of the input has three distinct points")
+  return InvalidInput("The input has ",
+    Counted(this->NumberOfDroppedCells, "polygon or strip", "polygons or strips"),
+    ", but none with three distinct points")
     .Fix("Connect a surface mesh");
 }
 
@@ -378,35 +380,34 @@ void PreparedSurface::CollectWarnings()
 {
   // The report of a regular mesh, which takes longer, contains no defects.
   const MeshReport report = this->IsRegular() ? MeshReport() : this->GetReport();
-  auto warn = [this](Offset count, const std::string& what) {
+  auto warn = [this](Offset count, const char* noun, const std::string& what) {
     if (count > 0)
     {
-      this->Warnings.push_back(JoinText("The mesh has ", count, " ", what));
+      this->Warnings.push_back(JoinText("The mesh has ", Counted(count, noun), what));
     }
   };
-  warn(report.NonManifoldEdges,
-    "edges with more than two triangles. Paths may pass between any two of these triangles");
-  warn(report.NonManifoldVertices,
-    "points where separate layers touch. Paths may pass between these layers");
-  warn(report.InconsistentEdges,
-    "edges across which no orientation is consistent, as on a Moebius strip. Distances do not "
-    "depend on orientation");
-  warn(this->NumberOfDroppedCells,
-    "polygons with fewer than three distinct points, which are ignored");
-  warn(this->NumberOfFans,
-    "polygons that cross or touch themselves, which are split into fans around their first points. "
-    "Triangulate these polygons first if another shape is meant");
-  warn(report.DuplicateFaces,
-    "triangles on the same three points as an earlier one, which are ignored");
-  warn(this->Caps.NumberOfCaps,
-    JoinText("triangles without area (height at most ", this->Caps.LargestHeight,
-      "), which are ignored. Their neighbors are split where they meet"));
-  warn(this->Mesh.GetNumberOfDegenerateFaces(),
-    JoinText(
-      "triangles without area, whose edges are lengthened by ", this->Mesh.GetMollification()));
-  warn(this->NumberOfCoincidentBoundaryPoints,
-    "points of the boundary with the same coordinates as another one. Turn on "
-    "{MergeCoincidentPoints} if they are the two sides of a seam rather than of a slit");
+  warn(report.NonManifoldEdges, "edge",
+    " with more than two triangles. Paths may pass between any two of these triangles");
+  warn(report.NonManifoldVertices, "point",
+    " where separate layers touch. Paths may pass between these layers");
+  warn(report.InconsistentEdges, "edge",
+    " across which no orientation is consistent, as on a Moebius strip. Distances do not depend on "
+    "orientation");
+  warn(this->NumberOfDroppedCells, "polygon",
+    " with fewer than three distinct points. Such polygons are ignored");
+  warn(this->NumberOfFans, "self-intersecting or self-touching polygon",
+    ". Such polygons become fans around their first points. Triangulate them first if another "
+    "shape is meant");
+  warn(report.DuplicateFaces, "triangle",
+    " on the same three points as an earlier one. Such triangles are ignored");
+  warn(this->Caps.NumberOfCaps, "triangle",
+    JoinText(" without area (height at most ", this->Caps.LargestHeight,
+      "). Such triangles are ignored, and their neighbors are split where they meet"));
+  warn(this->Mesh.GetNumberOfDegenerateFaces(), "triangle",
+    JoinText(" without area, whose edges are lengthened by ", this->Mesh.GetMollification()));
+  warn(this->NumberOfCoincidentBoundaryPoints, "point",
+    " of the boundary with the same coordinates as another one. Turn on {MergeCoincidentPoints} if "
+    "they are the two sides of a seam rather than of a slit");
 }
 
 //------------------------------------------------------------------------------
@@ -553,9 +554,9 @@ std::string PreparedSurface::DescribeGaps(const std::vector<bool>& isReached) co
   {
     return std::string();
   }
-  return JoinText("Only ", connected, " of ", used, " points are connected to a source, but ",
-    numberOfPoints, " points of the boundary are no more than ", gap,
-    " away from a point of another component. ",
+  return JoinText("Only ", connected, " of ", Counted(used, "point"),
+    " are connected to a source, with ", Counted(numberOfPoints, "point"),
+    " of the boundary no more than ", gap, " away from a point of another component. ",
     this->InputDomain.Kind == Domain::MergedSurface
       ? "Raise {MergeTolerance} to "
       : "Turn on {MergeCoincidentPoints} with a {MergeTolerance} of ",

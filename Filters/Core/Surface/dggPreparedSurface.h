@@ -176,7 +176,7 @@ private:
   std::size_t NumberOfOrderedFaces = 0; // before the pieces of split faces
   Offset NumberOfDroppedCells = 0;
   CapSplitting Caps;       // excluded triangles without area
-  Offset NumberOfFans = 0; // polygons that cross or touch themselves
+  Offset NumberOfFans = 0; // self-intersecting or self-touching polygons
   Offset NumberOfMergedPoints = 0;
   Offset NumberOfCoincidentPoints = 0;
   Offset NumberOfCoincidentBoundaryPoints = 0;

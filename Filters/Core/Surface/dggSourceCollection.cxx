@@ -3,6 +3,7 @@
 #include "dggSourceCollection.h"
 
 #include "dggCellCoordinates.h"
+#include "dggCounted.h"
 #include "dggLocator.h"
 #include "dggPoint3.h"
 #include "dggStatus.h"
@@ -107,7 +108,7 @@ Status SourceCollection::Check(Offset numberOfPoints) const
     const std::string name = JoinText(Capitalize(this->Role), " id ", id);
     return isInRange ? RefuseInitialDistance(name, distance)
                      : InvalidInput(name, " is out of range: the ", this->Surface, " has ",
-                         numberOfPoints, " points")
+                         Counted(numberOfPoints, "point"))
                          .At(this->Property, id)
                          .Fix("Use ids from 0 to ", numberOfPoints - 1);
   }

@@ -3,6 +3,7 @@
 #include "dggGraphicsInput.h"
 
 #include "dggBoxTree.h"
+#include "dggCounted.h"
 #include "dggStatus.h"
 
 #include <algorithm>
@@ -180,8 +181,8 @@ Status CurveReader::ChooseChannels()
     }
     if (channels > 0 && array->NumberOfComponents != channels)
     {
-      return InvalidInput("The array '", first, "' of input port 1 has ", channels,
-        " components, but '", name, "' has ", array->NumberOfComponents)
+      return InvalidInput("The array '", first, "' of input port 1 has ",
+        Counted(channels, "component"), ", but '", name, "' has ", array->NumberOfComponents)
         .Fix("Use one component per channel in both");
     }
     channels = array->NumberOfComponents;
@@ -244,15 +245,16 @@ Status CurveReader::ReadTuples(const GraphicsArray& arrays, const Line& line, in
   if (array->NumberOfTuples != tuples)
   {
     return InvalidInput(
-      "The array '", name, "' of input port 1 has ", array->NumberOfTuples, " tuples")
-      .Fix("Use an array with ", tuples, " tuples");
+      "The array '", name, "' of input port 1 has ", Counted(array->NumberOfTuples, "tuple"))
+      .Fix("Use an array with ", Counted(tuples, "tuple"));
   }
   const int components = array->NumberOfComponents;
   if (components != channels && !(mayBeSingle && components == 1))
   {
-    return InvalidInput("The array '", name, "' of input port 1 has ", components, " components")
-      .Fix("Use an array with ", channels,
-        mayBeSingle && channels > 1 ? " components or 1" : " components");
+    return InvalidInput(
+      "The array '", name, "' of input port 1 has ", Counted(components, "component"))
+      .Fix("Use an array with ", Counted(channels, "component"),
+        mayBeSingle && channels > 1 ? " or 1" : "");
   }
   values.clear();
   for (const Offset* id = line.Begin; id != line.End; ++id)
@@ -329,8 +331,8 @@ Status ReadStrengths(const GraphicsInput& input, int channels, std::vector<Graph
   if (!strength.Exists() || strength.NumberOfTuples != cells ||
     (components != 1 && components != channels))
   {
-    return InvalidInput(
-      "The surface has no cell array '", strength.Name, "' with 1 or ", channels, " components")
+    return InvalidInput("The surface has no cell array '", strength.Name, "' with ",
+      channels == 1 ? "1 component" : JoinText("1 or ", channels, " components"))
       .At("RegionStrengthArrayName")
       .Fix("Set {RegionStrengthArrayName} to the name of one");
   }

@@ -3,6 +3,7 @@
 #include "dggGreensTask.h"
 
 #include "dggBlockLoop.h"
+#include "dggCounted.h"
 #include "dggStatus.h"
 #include "dggTaskContext.h"
 
@@ -123,8 +124,8 @@ void GreensTask::Warn(std::vector<std::string>& warnings) const
     if (count > 0)
     {
       const auto first = std::find_if(this->Used.begin(), this->Used.end(), has);
-      warnings.push_back(JoinText(count, " of the ", this->Used.size(),
-        " sources, the first of them ", first - this->Used.begin(), ": ", text));
+      warnings.push_back(JoinText(count, " of ", Counted(this->Used.size(), "source"),
+        ", the first of them ", first - this->Used.begin(), ": ", text));
     }
   }
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggInputArray.h"
 
+#include "dggCounted.h"
 #include "dggPreparedSurface.h"
 #include "dggStatus.h"
 
@@ -20,8 +21,8 @@ Status InputArray::CheckPoints(
     return Status::Success();
   }
   return InvalidInput("The point array '", this->Name, "' of ", where, " has ",
-    this->NumberOfComponents, " components and ", this->NumberOfTuples, " tuples of type ",
-    this->Type, " for ", numberOfPoints, " points")
+    Counted(this->NumberOfComponents, "component"), " and ", Counted(this->NumberOfTuples, "tuple"),
+    " of type ", this->Type, " for ", Counted(numberOfPoints, "point"))
     .Fix(components == 1 ? "Use an array with one number per point"
                          : "Use an array with numbers for each point");
 }

@@ -3,6 +3,7 @@
 #include "dggLoopSearch.h"
 
 #include "dggBlockLoop.h"
+#include "dggCounted.h"
 #include "dggGraphSession.h"
 #include "dggHandleLoops.h"
 #include "dggLoopFinder.h"
@@ -97,8 +98,9 @@ std::string DescribeMissingLoops(LoopOptions::KindType kind, const LoopSet& set)
   switch (kind)
   {
     case LoopOptions::AroundHandles:
-      return JoinText("Non-manifold vertices prevent ", missing, " of ", set.Status.size(),
-        " loops around handles from being pulled tight. Missing loops have no polyline, and the "
+      return JoinText("Non-manifold vertices prevent ", missing, " of ",
+        Counted(set.Status.size(), "loop"),
+        " around handles from being pulled tight. Missing loops have no polyline, and the "
         "value 1 in the field array LoopStatus. Separate the fans of faces at such vertices");
     case LoopOptions::Rope:
       return set.Status[0] == LoopSet::NotConnected
@@ -107,8 +109,8 @@ std::string DescribeMissingLoops(LoopOptions::KindType kind, const LoopSet& set)
         : "The rope contracts to a point when it is pulled tight. There is no polyline, and the "
           "field array LoopStatus is 1";
     default:
-      return JoinText("No loop was found through ", missing, " of ", set.Status.size(),
-        " points (the first is point ", first,
+      return JoinText("No loop was found through ", missing, " of ",
+        Counted(set.Status.size(), "point"), " (the first is point ", first,
         "): all loops that were tried contract to the point, as on a surface without handles and "
         "limbs. Missing loops have no polyline, and the value 1 in the field array LoopStatus");
   }
@@ -227,15 +229,16 @@ void WriteOffsetCurves(
   AddLengths(curves, ids, output);
   if (tooLong > 0)
   {
-    output.Warnings.push_back(JoinText("{TapeWidth} is ", options.TapeWidth,
-      ", which is too small for the length of ", tooLong, " of ", loops.Loops.size(),
-      " loops. These loops have no tape. Set {TapeWidth} to at least ", RoundUp(smallestWidth)));
+    output.Warnings.push_back(
+      JoinText("{TapeWidth} is ", options.TapeWidth, ", which is too small for the length of ",
+        tooLong, " of ", Counted(loops.Loops.size(), "loop"),
+        ". Such loops have no tape. Set {TapeWidth} to at least ", RoundUp(smallestWidth)));
   }
   if (noRoom > 0)
   {
     output.Warnings.push_back(JoinText("{TapeWidth} is ", options.TapeWidth,
-      ", and no point is at half of that distance from ", noRoom, " of ", loops.Loops.size(),
-      " loops. These loops have no tape. Use a smaller {TapeWidth}"));
+      ", and no point is at half of that distance from ", noRoom, " of ",
+      Counted(loops.Loops.size(), "loop"), ". Such loops have no tape. Use a smaller {TapeWidth}"));
   }
 }
 }

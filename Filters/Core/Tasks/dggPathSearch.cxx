@@ -4,6 +4,7 @@
 
 #include "dggBandPath.h"
 #include "dggBlockLoop.h"
+#include "dggCounted.h"
 #include "dggExactPath.h"
 #include "dggGraphSeeds.h"
 #include "dggGraphSession.h"
@@ -252,8 +253,8 @@ Status ReadPathEnds(const CellArrays& lines, Offset numberOfPoints, std::vector<
     {
       if (id < 0 || id >= numberOfPoints)
       {
-        return InvalidInput("Line ", i, " of input port 1 refers to point ", id, ", but there are ",
-          numberOfPoints, " points")
+        return InvalidInput("Line ", i, " of input port 1 refers to point ", id,
+          ", but the port has ", Counted(numberOfPoints, "point"))
           .Fix("Repair the line");
       }
       ends.push_back(id);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggSampleSearch.h"
 
+#include "dggCounted.h"
 #include "dggGraphSession.h"
 #include "dggOutput.h"
 #include "dggPreparedSurface.h"
@@ -43,10 +44,10 @@ void WriteSamples(const TaskContext& context, const SamplerOptions& options,
   const double radius = samples.empty() ? 0.0 : samples.back().CoveringRadius;
   if (static_cast<Offset>(samples.size()) < options.NumberOfSamples && !(radius > 0.0))
   {
-    output.Warnings.push_back(JoinText("No point of the surface is left after ", samples.size(),
-      " samples, but {NumberOfSamples} is ", options.NumberOfSamples,
-      ". Reduce {NumberOfSamples}, ", options.InFaces ? "" : "turn on {InFaces}, ",
-      "or subdivide the surface"));
+    output.Warnings.push_back(
+      JoinText("No point of the surface is left after ", Counted(samples.size(), "sample"),
+        ", but {NumberOfSamples} is ", options.NumberOfSamples, ". Reduce {NumberOfSamples}, ",
+        options.InFaces ? "" : "turn on {InFaces}, ", "or subdivide the surface"));
   }
   if (!(radius < Infinity))
   {

@@ -3,6 +3,7 @@
 #include "dggSplineTask.h"
 
 #include "dggBiharmonicSplines.h"
+#include "dggCounted.h"
 #include "dggGeodesicSource.h"
 #include "dggHarmonicSplines.h"
 #include "dggPreparedSurface.h"
@@ -296,8 +297,8 @@ Status SplineTask::AppendSiteValues(const InputArray& array, const std::string& 
   const auto components = static_cast<std::size_t>(array.NumberOfComponents);
   if (!this->SiteValues.empty() && this->SiteValues.size() != components)
   {
-    return InvalidInput("The point array '", array.Name, "' of ", where, " has ", components,
-      " components, but that of the surface has ", this->SiteValues.size())
+    return InvalidInput("The point array '", array.Name, "' of ", where, " has ",
+      Counted(components, "component"), ", but that of the surface has ", this->SiteValues.size())
       .At("SiteValuesArrayName")
       .Fix("Use the same number of components");
   }

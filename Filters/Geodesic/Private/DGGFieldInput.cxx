@@ -7,6 +7,7 @@
 #include "DGGUnreachedArray.h"
 #include "DGGWindowArrays.h"
 
+#include "dggCounted.h"
 #include "dggFieldReader.h"
 #include "dggStatus.h"
 
@@ -150,9 +151,10 @@ dgg::Status DGGReadField(const DGGContext& context, vtkDataArray* distances, dou
       array->GetNumberOfTuples() != surface->GetNumberOfPoints()))
   {
     reader.Warn(dgg::JoinText("The point array '", virtualSources, "' has ",
-      array->GetNumberOfComponents(), " components and ", array->GetNumberOfTuples(),
-      " tuples, but virtual sources need 3 components and ", surface->GetNumberOfPoints(),
-      " tuples. The array is ignored"));
+      dgg::Counted(array->GetNumberOfComponents(), "component"), " and ",
+      dgg::Counted(array->GetNumberOfTuples(), "tuple"),
+      ", but virtual sources need 3 components and ",
+      dgg::Counted(surface->GetNumberOfPoints(), "tuple"), ". The array is ignored"));
   }
   else if (array)
   {

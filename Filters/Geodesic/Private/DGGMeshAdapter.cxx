@@ -4,6 +4,7 @@
 
 #include "DGGSurfaceArrays.h"
 
+#include "dggCounted.h"
 #include "dggStatus.h"
 
 #include "vtkCellArray.h"
@@ -63,7 +64,7 @@ dgg::Status DGGMeshAdapter::CheckSurface(vtkPolyData* input)
   }
   const vtkIdType n = input->GetNumberOfPoints();
   return dgg::InvalidInput(
-    "The input has ", n, n == 1 ? " point" : " points", " but no polygons or triangle strips")
+    "The input has ", dgg::Counted(n, "point"), " but no polygons or triangle strips")
     .Fix("Connect a surface mesh. A point cloud needs the graph of vtkPointCloudDGG (in Python: "
          "vtkdgg.CloudGraph) and a filter that accepts clouds, such as vtkDGGDistance");
 }

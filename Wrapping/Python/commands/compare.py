@@ -12,6 +12,7 @@ import warnings
 import vtkdgg
 
 from .. import arguments, reading
+from ..checks import counted
 from ..surface import with_arrays
 from . import bounds, files, places
 from .files import triangles_of
@@ -19,7 +20,6 @@ from .measured import Errors
 from .methods import Direct, Graph, Query, builder
 from .output import defects, distance_rows, graph_rows, position, print_table
 from .sizes import floor_of, notes
-from .words import counted
 
 DEFAULT_MESH = "/usr/share/glmark2/models/bunny.obj"
 DEFAULT_ACCURACY = 0.01

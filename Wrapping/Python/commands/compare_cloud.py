@@ -8,13 +8,13 @@ import numpy as np
 import vtkdgg
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
+from ..checks import counted
 from ..pictures import spacings_of
 from ..surface import coordinates_of, with_arrays
 from . import bounds, cloud_pictures, places
 from .files import are_finite, make_graph, points_of
 from .methods import Graph, Path, Query
 from .output import defects, distance_rows, graph_rows, position
-from .words import counted
 
 # Relative rounding error of edge lengths.
 ROUNDING = 1e-6

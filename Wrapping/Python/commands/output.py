@@ -5,7 +5,8 @@
 import numpy as np
 from vtkmodules.vtkCommonCore import vtkSMPTools
 
-from .words import counted, notes_of
+from ..checks import counted
+from .words import notes_of
 
 
 def print_table(rows, notes, warnings):

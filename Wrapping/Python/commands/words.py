@@ -23,11 +23,6 @@ h: this help
 q: quit"""
 
 
-def counted(count, one, many=None):
-    """Returns a count with its unit in the singular or the plural."""
-    return f"{count} {one if count == 1 else many or one + 's'}"
-
-
 # Arguments of functions, and the options that set them.
 OPTIONS = {
     "accuracy": "--accuracy",
