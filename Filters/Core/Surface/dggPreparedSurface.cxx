@@ -175,12 +175,14 @@ Status PreparedSurface::Build(const SurfaceArrays& input)
 }
 
 //------------------------------------------------------------------------------
-Status PreparedSurface::CheckCells(const CellArrays& cells, Offset firstCell) const
+Status PreparedSurface::CheckCells(const CellArrays& cells, Offset firstCell, bool areFinite) const
 {
+  if (cells.NumberOfCells == 0)
+  {
+    return Status::Success();
+  }
   DGG_RETURN_IF_ERROR(CheckOffsets(cells));
   const auto n = static_cast<Offset>(this->Positions.size() / 3);
-  const bool areFinite = std::all_of(this->Positions.begin(), this->Positions.end(),
-    [](double coordinate) { return std::isfinite(coordinate); });
   const Offset* end = cells.Ids + cells.NumberOfIds;
   const Offset* wrong = std::find_if(cells.Ids, end, [&](Offset id) {
     return id < 0 || id >= n ||
@@ -210,9 +212,13 @@ Status PreparedSurface::Triangulate(const SurfaceArrays& input, std::vector<Id>&
 {
   triangles.reserve(3 * static_cast<std::size_t>(input.Polygons.NumberOfCells));
   this->Cells.reserve(static_cast<std::size_t>(input.Polygons.NumberOfCells));
-  DGG_RETURN_IF_ERROR(this->TriangulateCells(input.Polygons, false, input.FirstCell, triangles));
-  DGG_RETURN_IF_ERROR(this->TriangulateCells(
-    input.Strips, true, input.FirstCell + input.Polygons.NumberOfCells, triangles));
+  const bool areFinite = std::all_of(this->Positions.begin(), this->Positions.end(),
+    [](double coordinate) { return std::isfinite(coordinate); });
+  const Offset firstStrip = input.FirstCell + input.Polygons.NumberOfCells;
+  DGG_RETURN_IF_ERROR(this->CheckCells(input.Polygons, input.FirstCell, areFinite));
+  DGG_RETURN_IF_ERROR(this->CheckCells(input.Strips, firstStrip, areFinite));
+  this->TriangulateCells(input.Polygons, false, input.FirstCell, triangles);
+  this->TriangulateCells(input.Strips, true, firstStrip, triangles);
   if (!triangles.empty())
   {
     return Status::Success();
@@ -232,14 +238,9 @@ Status PreparedSurface::Triangulate(const SurfaceArrays& input, std::vector<Id>&
 }
 
 //------------------------------------------------------------------------------
-Status PreparedSurface::TriangulateCells(
+void PreparedSurface::TriangulateCells(
   const CellArrays& cells, bool areStrips, Offset firstCell, std::vector<Id>& triangles)
 {
-  if (cells.NumberOfCells == 0)
-  {
-    return Status::Success();
-  }
-  DGG_RETURN_IF_ERROR(this->CheckCells(cells, firstCell));
   PolygonTriangulator triangulator(this->Positions.data());
   std::vector<Id> corners;
   for (Offset i = 0; i < cells.NumberOfCells; ++i)
@@ -270,7 +271,6 @@ Status PreparedSurface::TriangulateCells(
     this->NumberOfDroppedCells += this->Cells.size() == before ? 1 : 0;
   }
   this->NumberOfFans += triangulator.GetNumberOfFans();
-  return Status::Success();
 }
 
 //------------------------------------------------------------------------------

@@ -154,9 +154,9 @@ public:
 private:
   Status Build(const SurfaceArrays& input);
   Status Triangulate(const SurfaceArrays& input, std::vector<Id>& triangles);
-  Status TriangulateCells(
+  void TriangulateCells(
     const CellArrays& cells, bool areStrips, Offset firstCell, std::vector<Id>& triangles);
-  Status CheckCells(const CellArrays& cells, Offset firstCell) const;
+  Status CheckCells(const CellArrays& cells, Offset firstCell, bool areFinite) const;
   void MergeCoincidentPoints();
   std::vector<Id> CollectBoundary() const;
   void CountCoincidentBoundaryPoints();
