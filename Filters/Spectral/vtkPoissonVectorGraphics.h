@@ -67,7 +67,7 @@ public:
    *  - Poisson: adds `Strength` on the left of the curve and subtracts it on the right, or adds
    *    `RightStrength` there, fading to 0 at the geodesic distance `Width`: a highlight and a
    *    shadow. Colors farther away do not change; bands do not reach through other curves of
-   *    these two types.
+   *    these two types. Closer than `Width` to an open end, the two sides blend.
    *  - Region: a closed curve; the surface on its left becomes brighter by `Strength` in the
    *    middle, fading to the rim: a source of density 4 pi Strength / area, and a sink along the
    *    curve.
@@ -107,7 +107,10 @@ public:
   ///@{
   /**
    * Width of Poisson curves without an array, in units of the coordinates. Default 0: 5 % of the
-   * diagonal of the surface's bounding box; not negative. Widths in arrays are positive.
+   * diagonal of the surface's bounding box; not negative. Widths in arrays are positive. An open
+   * curve has its full strengths where both ends are at least the width away, so only if it is
+   * twice as long. From a width of about its length on, less than half of the difference between
+   * its sides remains, with a warning that names the line.
    */
   vtkSetMacro(Width, double);
   vtkGetMacro(Width, double);

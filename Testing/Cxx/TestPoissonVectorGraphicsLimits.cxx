@@ -188,6 +188,26 @@ TEST(PoissonVectorGraphics, WidthsAreThoseOfFirstPoints)
   ExpectError(drawing.Filter, { "line 0 of input port 1", "width 0." }); // before drawing
 }
 
+TEST(PoissonVectorGraphics, ShortCurvesLoseTheirContrast)
+{
+  // Three curves of length 2: two open ones with a difference between their sides, and one without.
+  GraphicsFixture drawing(
+    { { 1, 1, 0 }, { 1, 3, 0 }, { 3, 1, 0 }, { 3, 3, 0 }, { 5, 1, 0 }, { 5, 3, 0 } },
+    { { 0, 1 }, { 2, 3 }, { 4, 5 } });
+  AddArray<vtkIntArray>(drawing.OfCells(), "CurveType", { 1, 1, 1 }, 1);
+  AddArray(drawing.OfCells(), "Strength", { 0.3, 1.0, 1.0 }, 1);
+  AddArray(drawing.OfCells(), "RightStrength", { -0.3, 0.0, 1.0 }, 1);
+  // At the middles, the other side is at the distance 1 around an end.
+  drawing.Filter->SetWidth(1.0);
+  const std::vector<double> full = GetValues(drawing.Run(), "Colors");
+  EXPECT_NEAR(*std::max_element(full.begin(), full.end()), 1.0, 0.05);
+  drawing.Filter->SetWidth(2.0);
+  ExpectWarning(
+    drawing.Filter, { "Line 0 of input port 1", "width of 2", "at most 44 %", "1 other curve." });
+  AddArray(drawing.OfCells(), "Width", { 1.0, 1e8, 1e8 }, 1);
+  ExpectWarning(drawing.Filter, { "Line 1 of input port 1", "width of 1e+08", "at most 0 %" });
+}
+
 TEST(PoissonVectorGraphics, MemoryIsPredictedBeforeCurvesAreDrawn)
 {
   // The refined mesh would exceed the limit. No progress is reported before the error, although

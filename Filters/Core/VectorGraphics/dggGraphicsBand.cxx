@@ -211,7 +211,7 @@ bool IsBlended(const GraphicsCurve& curve, int channels)
 
 Status AddBand(const SurfaceMesh& mesh, const CurveSides& sides, const CurveChain& chain,
   const GraphicsCurve& curve, int channels, ExactGeodesics& exact, const ProgressCallback& progress,
-  std::vector<double>& values)
+  std::vector<double>& values, double& contrast)
 {
   SideDistances distances[2];
   for (int k = 0; k < 2; ++k)
@@ -247,8 +247,10 @@ Status AddBand(const SurfaceMesh& mesh, const CurveSides& sides, const CurveChai
       InterpolateOnCurve(curve.Right, channels, curve.IsClosed, parameter, right.data());
     }
   };
+  contrast = 0.0;
   for (std::size_t v = 0; v < n; ++v)
   {
+    double difference = 0.0;
     const bool isNearestLeft = distances[0].GetDistance(v) <= distances[1].GetDistance(v);
     for (int k = 0; k < 2; ++k)
     {
@@ -260,11 +262,13 @@ Status AddBand(const SurfaceMesh& mesh, const CurveSides& sides, const CurveChai
       const double fade = FadeWithDistance(distances[k].GetDistance(v), curve.Width);
       const double even = (k == 0) == isNearestLeft ? 0.5 * fade : 0.0;
       const double odd = k == 0 ? 0.5 * fade : -0.5 * fade;
+      difference += 2.0 * odd;
       for (int c = 0; c < channels; ++c)
       {
         values[v * channels + c] += even * (left[c] + right[c]) + odd * (left[c] - right[c]);
       }
     }
+    contrast = std::max(contrast, std::abs(difference));
   }
   return Status::Success();
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggVectorGraphics.h"
 
+#include "dggCounted.h"
 #include "dggGraphicsBand.h"
 #include "dggGraphicsDomain.h"
 #include "dggGraphicsSources.h"
@@ -54,6 +55,9 @@ constexpr double MorePerFace = 140.0;
 /// blended strengths.
 constexpr double WorkPerVertex = 200.0;
 constexpr double BandPerFace = 180.0;
+
+/// Poisson curves with less contrast are reported.
+constexpr double SmallestContrast = 0.5;
 
 /// Numbers from 2^-100 to 2^100 can be squared and multiplied by mesh quantities.
 constexpr int UsualExponent = 100;
@@ -149,7 +153,7 @@ struct VectorGraphics::Implementation
   double EstimateHeld() const;
   double EstimateRun(const std::vector<GraphicsCurve>& curves, int channels) const;
   Status AddBands(const std::vector<GraphicsCurve>& curves, const GraphicsOptions& options,
-    const ProgressCallback& progress, std::vector<double>& values) const;
+    const ProgressCallback& progress, std::vector<double>& values, std::string& warning) const;
   void MeasureNet(
     const std::vector<std::vector<double>>& columns, std::vector<double>& netSources) const;
 
@@ -183,10 +187,11 @@ double VectorGraphics::Implementation::EstimateRun(
 }
 
 Status VectorGraphics::Implementation::AddBands(const std::vector<GraphicsCurve>& curves,
-  const GraphicsOptions& options, const ProgressCallback& progress,
-  std::vector<double>& values) const
+  const GraphicsOptions& options, const ProgressCallback& progress, std::vector<double>& values,
+  std::string& warning) const
 {
   const int channels = options.NumberOfChannels;
+  std::size_t blurred = 0; // number of curves
   std::unique_ptr<ExactGeodesics> exact;
   for (std::size_t k = 0; k < curves.size(); ++k)
   {
@@ -201,10 +206,23 @@ Status VectorGraphics::Implementation::AddBands(const std::vector<GraphicsCurve>
     const auto count = static_cast<double>(curves.size());
     const double begin = static_cast<double>(k) / count;
     DGG_RETURN_IF_ERROR(ReportTo(progress, begin));
+    double contrast = 0.0;
     DGG_RETURN_IF_ERROR(AddBand(this->Domain.DrawnMesh,
       this->Domain.Drawn.Sides[this->Domain.SidesInDrawn[k]], this->Chains[k], curves[k], channels,
-      *exact, ProgressPart(progress, begin, begin + 1.0 / count), values)
+      *exact, ProgressPart(progress, begin, begin + 1.0 / count), values, contrast)
                           .Of(NameOf(curves[k], k)));
+    if (contrast < SmallestContrast && curves[k].Left != curves[k].Right && blurred++ == 0)
+    {
+      warning = JoinText(NameOf(curves[k], k), " is short for its width of ", curves[k].Width,
+        ": its sides blend around its ends, and at most ", std::lround(100.0 * contrast),
+        " % of the difference between them remains");
+    }
+  }
+  if (blurred > 0)
+  {
+    warning +=
+      JoinText(blurred > 1 ? ". The same applies to " + Counted(blurred - 1, "other curve") : "",
+        ". Use widths of at most half of the length of such curves, and much shorter edges");
   }
   return Status::Success();
 }
@@ -295,8 +313,9 @@ Status VectorGraphics::Run(const std::vector<GraphicsCurve>& curves,
     strengths.push_back(scale.Apply(region.Strength));
   }
   std::vector<double> bands(channels * drawn, 0.0);
+  std::string warning;
   DGG_RETURN_IF_ERROR(
-    held.AddBands(scaled, options, ProgressPart(options.Progress, 0.0, BandsDone), bands));
+    held.AddBands(scaled, options, ProgressPart(options.Progress, 0.0, BandsDone), bands, warning));
   std::vector<std::vector<double>> columns(
     channels, std::vector<double>(held.Domain.Solved.Surface.Points.size(), 0.0));
   DGG_RETURN_IF_ERROR(held.Loads.Add(held.Domain, held.Chains, scaled, regions, strengths,
@@ -321,7 +340,7 @@ Status VectorGraphics::Run(const std::vector<GraphicsCurve>& curves,
   }
   DGG_RETURN_IF_ERROR(scale.Undo(bands, "Colours"));
   DGG_RETURN_IF_ERROR(scale.Undo(netSources, "Net sources"));
-  result = { std::move(bands), std::move(netSources), std::move(components) };
+  result = { std::move(bands), std::move(netSources), std::move(components), std::move(warning) };
   return Status::Success();
 }
 

@@ -92,6 +92,8 @@ struct GraphicsResult
   /// Per vertex of GetSurface(), its component, ordered by smallest vertex. Vertices without a
   /// face, which have the background color, form components of their own.
   std::vector<Id> Components;
+  /// A warning about Poisson curves that are too short for their widths; empty if none is.
+  std::string Warning;
 };
 
 /// Poisson vector graphics on a surface.
@@ -111,7 +113,8 @@ struct GraphicsResult
 /// to the right-hand side, where d_l and d_r are the geodesic distances from its left and its right
 /// side on the surface cut open along all diffusion and Poisson curves, and b is 0 from the width w
 /// on. Thus B jumps from r to l across the curve, fades within the width, and is continuous
-/// everywhere else, also around ends, where d_l and d_r are equal.
+/// everywhere else, also around ends, where d_l and d_r are equal. On a curve that is shorter than
+/// 2 w and open, the jump is nowhere complete; if less than half of it remains, Run() warns.
 class DGG_CORE_EXPORT VectorGraphics
 {
 public:
