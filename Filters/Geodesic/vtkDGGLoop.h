@@ -23,9 +23,9 @@
  * along edges per component.
  *
  * <b>Errors</b>. All errors of vtkGeodesicAlgorithm; a point cloud; no point, or fewer than three
- * for a rope; an id out of range; a point that is not finite or beyond ProjectionTolerance; edges
- * with more than two triangles with AroundHandles; a graph beyond MemoryLimit. The module page is
- * Filters/Geodesic/Curves.md.
+ * different ones for a rope; an id out of range; a point that is not finite or beyond
+ * ProjectionTolerance; edges with more than two triangles with AroundHandles; a graph beyond
+ * MemoryLimit. The module page is Filters/Geodesic/Curves.md.
  *
  * <b>Source</b>. Straightening: see vtkDGGPath. Handles: J. Erickson, K. Whittlesey, "Greedy
  * optimal homotopy and homology generators", SODA 2005.

@@ -248,8 +248,8 @@ class Graph(Queries):
         Raises
         ------
         ValueError, VTKError
-            As for `distance`; a VTKError also for a rope of less than three points, or handles of a
-            surface with edges of more than two triangles.
+            As for `distance`; a VTKError also for a rope of fewer than three different points, or
+            handles of a surface with edges of more than two triangles.
         """
         tie = self._filter(vtkDGGLoop, projection_tolerance)
         if points is not None:

@@ -137,13 +137,26 @@ double RoundUp(double x)
 //------------------------------------------------------------------------------
 Status CheckLoopOptions(const LoopOptions& options)
 {
-  if (options.Kind == LoopOptions::Rope && options.Points.size() < FewestPointsOfRope)
+  if (options.Kind != LoopOptions::Rope)
   {
-    return InvalidInput("A rope through ", options.Points.size(),
-      options.Points.size() == 1 ? " point" : " points", " runs back along itself")
-      .Fix("Specify three points or more");
+    return Status::Success();
   }
-  return Status::Success();
+  std::vector<SurfacePoint> different;
+  for (const SurfacePoint& point : options.Points)
+  {
+    if (std::none_of(different.begin(), different.end(),
+          [&](const SurfacePoint& other) { return IsSamePoint(point, other); }))
+    {
+      different.push_back(point);
+    }
+    if (different.size() == FewestPointsOfRope)
+    {
+      return Status::Success();
+    }
+  }
+  return InvalidInput("A rope through ", different.size(),
+    different.size() == 1 ? " point" : " different points", " runs back along itself")
+    .Fix("Specify three different points or more");
 }
 
 //------------------------------------------------------------------------------

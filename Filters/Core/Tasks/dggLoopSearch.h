@@ -47,7 +47,7 @@ struct LoopSet
   std::vector<std::vector<SurfacePath>> OffsetCurves; ///< per loop; empty without tapes
 };
 
-/// Fails for a rope through fewer than three points.
+/// Fails for a rope through fewer than three different points.
 DGG_CORE_EXPORT Status CheckLoopOptions(const LoopOptions& options);
 
 /// Finds loops. `graph` must be up to date; it is not used around handles.
