@@ -179,19 +179,26 @@ TEST_F(CellKinds, WarpedQuadIsCutAlongTheShorterDiagonal)
   EXPECT_NEAR(this->Solve(surface, 0)[2], expected, 1e-12);
 }
 
-TEST_F(CellKinds, PolygonThatCrossesItself)
+TEST_F(CellKinds, PolygonsThatCrossThemselves)
 {
   // No triangulation is correct; nevertheless all points are reached.
-  auto surface = MakeSurface(
-    { { { 0, 0, 0 } }, { { 4, 3, 0 } }, { { 4, 0, 0 } }, { { 0, 3, 0 } }, { { 2, 5, 0 } } },
-    { { 0, 1, 2, 3, 4 } });
-  this->Filter->SetInputData(surface);
-  this->Filter->SetSourceIds({ 0 });
-  ExpectWarning(this->Filter, { "1 self-intersecting or self-touching polygon." });
-  for (const double d : GetDistances(this->Filter))
+  const Points points = { { 0, 0, 0 }, { 4, 3, 0 }, { 4, 0, 0 }, { 0, 3, 0 }, { 2, 5, 0 } };
+  for (const std::vector<vtkIdType>& polygon :
+    { std::vector<vtkIdType>{ 0, 1, 2, 3, 4 }, { 0, 1, 2, 3 }, { 4, 2, 1, 0 } })
   {
-    EXPECT_TRUE(std::isfinite(d));
+    this->Filter->SetInputData(MakeSurface(points, { polygon }));
+    this->Filter->SetSourceIds({ 0 });
+    ExpectWarning(this->Filter, { "1 self-intersecting or self-touching polygon." });
+    const std::vector<double> distances = GetDistances(this->Filter);
+    for (const vtkIdType id : polygon)
+    {
+      EXPECT_TRUE(std::isfinite(distances[id]));
+    }
   }
+  // A quad on four edges of a tetrahedron is folded sharply, but does not cross itself.
+  this->Solve(
+    MakeSurface({ { 1, 1, 1 }, { 1, -1, -1 }, { -1, 1, -1 }, { -1, -1, 1 } }, { { 0, 1, 2, 3 } }),
+    0);
 }
 
 TEST_F(CellKinds, PolygonsAtExtremeScales)

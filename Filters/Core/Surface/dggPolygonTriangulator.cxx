@@ -299,7 +299,7 @@ void PolygonTriangulator::Normalize()
 }
 
 //------------------------------------------------------------------------------
-void PolygonTriangulator::CutQuad(std::vector<Id>& triangles) const
+void PolygonTriangulator::CutQuad(std::vector<Id>& triangles)
 {
   const auto& c = this->Corners;
   if (c[0] == c[2] || c[1] == c[3])
@@ -311,8 +311,22 @@ void PolygonTriangulator::CutQuad(std::vector<Id>& triangles) const
   const auto normal = [&p](int i, int j, int k) { return Cross(p[j] - p[i], p[k] - p[i]); };
   const Vector d02 = p[2] - p[0];
   const Vector d13 = p[3] - p[1];
-  const bool inside02 = Dot(normal(0, 1, 2), normal(0, 2, 3)) > 0.0;
-  const bool inside13 = Dot(normal(0, 1, 3), normal(1, 2, 3)) > 0.0;
+  const double across02 = Dot(normal(0, 1, 2), normal(0, 2, 3));
+  const double across13 = Dot(normal(0, 1, 3), normal(1, 2, 3));
+  const bool inside02 = across02 > 0.0;
+  const bool inside13 = across13 > 0.0;
+  if (across02 < 0.0 && across13 < 0.0)
+  {
+    // The quad is folded sharply, or crosses itself: then it also does in the plane of CutEars().
+    const Vector all = Cross(d02, d13);
+    const auto isOutside = [&](const Vector& a, const Vector& b) {
+      return Dot(all, a) * Dot(all, b) <= 0.0;
+    };
+    this->NumberOfFans +=
+      isOutside(normal(0, 1, 2), normal(0, 2, 3)) && isOutside(normal(0, 1, 3), normal(1, 2, 3))
+      ? 1
+      : 0;
+  }
   if (inside13 && (!inside02 || Dot(d13, d13) < Dot(d02, d02)))
   {
     Append(c[0], c[1], c[3], triangles);

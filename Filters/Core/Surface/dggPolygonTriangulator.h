@@ -40,14 +40,14 @@ public:
   /// than three points are distinct.
   Id Triangulate(const std::vector<Id>& polygon, std::vector<Id>& triangles);
 
-  /// Returns the number of polygons that have become fans.
+  /// Returns the number of polygons that have become fans, including quads that cross themselves.
   Offset GetNumberOfFans() const { return this->NumberOfFans; }
 
 private:
   using Vector = std::array<double, 3>;
 
   void Normalize();
-  void CutQuad(std::vector<Id>& triangles) const;
+  void CutQuad(std::vector<Id>& triangles);
   bool CutEars(std::vector<Id>& triangles);
   void CutFan(std::vector<Id>& triangles) const;
 
