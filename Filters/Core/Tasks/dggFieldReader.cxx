@@ -125,7 +125,8 @@ void FieldReader::SetSources(const std::vector<double>& values, const std::strin
   {
     this->Sources.clear();
     this->Warn("The virtual sources in the point array '" + name +
-      "' are not those of the distances on this surface. They are ignored");
+      "' give other distances than the array of distances on this surface: they belong to other "
+      "sources or another mesh, or are invalid. They are ignored");
   }
 }
 
