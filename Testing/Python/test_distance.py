@@ -191,6 +191,8 @@ class WrongInput(support.Test):
             ([True, False], "expected numbers, got bool"),
             (True, "expected numbers, got bool"),
             ("first", "expected numbers"),
+            ({0}, "expected numbers, got set"),
+            ([0, None], "expected numbers, got NoneType"),
             (None, "missing"),
             ([[0.0, 1.0]], r"expected the shape \(n, 3\)"),
             ([[np.nan, 0.0, 0.0]], "row 0 is not finite"),

@@ -339,6 +339,8 @@ class Formats(support.Test):
             ("empty.ply", "", r"empty.ply: "),
             ("none.xyz", "# nothing\n", "none.xyz: .*no points"),
             ("late.vtp", "<VTKFile></VTKFile>x", "late.vtp: text follows </VTKFile>"),
+            ("noise.vtp", "geodesics", "noise.vtp: the file is not XML"),
+            ("cut.vtp", "<VTKFile>", "cut.vtp: .* it is truncated"),
             ("utf.vtp", "<VTKFile></VTKFile>".encode("utf-16"), "utf.vtp: .* got UTF-16"),
             ("lfs.ply", "version https://git-lfs.github.com/spec/v1\n", "lfs.ply: .*Git LFS"),
             ("mesh.abc", "v 0 0 0\n", r"mesh.abc: unknown extension '.abc'; expected one of .gii"),

@@ -32,7 +32,11 @@ def numbers(values, name, kind="number"):
             raise ValueError(f"{name}: {largest} does not fit into 64 bits")
     allowed = {"integer": "iu", "number": "iuf"}[kind]
     if array.size and array.dtype.kind not in allowed:
-        raise ValueError(f"{name}: expected {kind}s, got {array.dtype}")
+        got = array.dtype
+        if got == object:
+            others = (value for value in array.flat if not isinstance(value, (int, float)))
+            got = next((type(value).__name__ for value in others), got)
+        raise ValueError(f"{name}: expected {kind}s, got {got}")
     return array
 
 

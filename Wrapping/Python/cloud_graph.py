@@ -28,7 +28,8 @@ class CloudGraph(Queries):
     """Geodesic distances and paths on the surface that a point cloud samples, for many queries.
 
     Errors depend on the sampling and have no bound. The points are copied. A graph can be copied
-    and pickled without building it again.
+    and pickled without building it again. There are no methods `isolines` and `loop`, which need
+    the triangles of a `Graph`.
 
     Parameters
     ----------

@@ -106,8 +106,8 @@ def distance(
     Returns
     -------
     distances : numpy.ndarray of float64, shape (n,), or vtkPolyData
-        In the unit of `points`; empty when there are no points. Points without triangles are an
-        error.
+        In the unit of `points`. Without points it is empty, whatever the ids in `sources`; points
+        without triangles are an error.
     nearest : numpy.ndarray of int, shape (n,)
         Index into `sources` of the nearest one, -1 for unreached points. Only with `return_source`
         and without `as_polydata`.

@@ -45,6 +45,8 @@ class XMLFile:
                 reason = "text follows </VTKFile>, the end of the contents"
             elif data[:2] in (b"\xff\xfe", b"\xfe\xff"):
                 reason = "expected UTF-8, got UTF-16"
+            elif not re.match(rb"(\xef\xbb\xbf)?\s*(<|\Z)", data):
+                reason = "the file is not XML: expected < at the beginning"
             raise ValueError(reason)
         start = data.find(b"<AppendedData")
         start = len(data) if start < 0 else data.find(b">", start) + 1
