@@ -10,6 +10,7 @@
 #include "DGGSurfaceParts.h"
 
 #include "dggCloudGraphBuilder.h"
+#include "dggCounted.h"
 #include "dggStatus.h"
 
 #include "vtkCellArray.h"
@@ -135,9 +136,10 @@ dgg::Status vtkPointCloudDGG::vtkInternals::CheckInputNormals(vtkPolyData* cloud
   {
     return dgg::Status::Success();
   }
-  return dgg::InvalidInput("The point normals of the input have ", normals->GetNumberOfComponents(),
-    " components and ", normals->GetNumberOfTuples(), " tuples for ", cloud->GetNumberOfPoints(),
-    " points")
+  return dgg::InvalidInput("The point normals of the input have ",
+    dgg::Counted(normals->GetNumberOfComponents(), "component"), " and ",
+    dgg::Counted(normals->GetNumberOfTuples(), "tuple"), " for ",
+    dgg::Counted(cloud->GetNumberOfPoints(), "point"))
     .At("UseInputNormals")
     .Fix("Use three numbers per point, or turn off {UseInputNormals}");
 }

@@ -108,9 +108,9 @@ public:
   /**
    * Width of Poisson curves without an array, in units of the coordinates. Default 0: 5 % of the
    * diagonal of the surface's bounding box; not negative. Widths in arrays are positive. An open
-   * curve has its full strengths where both ends are at least the width away, so only if it is
-   * twice as long. From a width of about its length on, less than half of the difference between
-   * its sides remains, with a warning that names the line.
+   * curve has its full strengths where both ends are at least the width away, which requires a
+   * length of at least twice the width. From a width of about its length on, less than half of the
+   * difference between its sides remains, with a warning that names the line.
    */
   vtkSetMacro(Width, double);
   vtkGetMacro(Width, double);

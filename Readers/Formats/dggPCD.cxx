@@ -123,7 +123,8 @@ private:
         if (!this->Text.FindOnLine())
         {
           this->FailAtLine(this->Text.GetBytesLeft() == 0 ? Premature : Malformed,
-            this->Text.GetLine(), "point ", point, " has ", read, " values. Expected ", numbers);
+            this->Text.GetLine(), "point ", point, " has ", dgg::Counted(read, "value"),
+            ". Expected ", numbers);
         }
         const std::string_view word = this->Text.TakeWord();
         const char* trouble = nullptr;

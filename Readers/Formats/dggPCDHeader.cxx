@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggPCDHeader.h"
 
+#include "dggCounted.h"
 #include "dggParsers.h"
 #include "dggPointCloud.h"
 
@@ -116,7 +117,8 @@ public:
     const Entry* entry = this->Find(keyword);
     if (entry && entry->Values.size() != count)
     {
-      entry->Fail(keyword, " has ", entry->Values.size(), " values. Expected ", count);
+      entry->Fail(
+        keyword, " has ", dgg::Counted(entry->Values.size(), "value"), ". Expected ", count);
     }
     return entry;
   }

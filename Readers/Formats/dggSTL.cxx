@@ -130,8 +130,8 @@ void ParseBinary(std::string_view file, const dgg::ProgressReport& progress, dgg
   if (file.size() != expected)
   {
     dgg::Fail(file.size() < expected ? FileCode::Premature : FileCode::Malformed,
-      "byte 80: the header declares ", dgg::Counted(facets, "triangle"), " in ", expected,
-      " bytes, but the file has ", file.size(), " bytes");
+      "byte 80: the header declares ", dgg::Counted(facets, "triangle"), ", ", expected,
+      " bytes in all, but the file has ", file.size(), " bytes");
   }
   mesh.HasFloatPoints = true;
   PointMerger merger(mesh.Points);

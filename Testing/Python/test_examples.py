@@ -252,7 +252,7 @@ MISTAKES = {
         (("x.png", "--mesh", "missing.ply"), "missing.ply"),
         (("x.png", "--rope", "1,2"), "--rope"),
         ((*VIEW, "0,inf,1"), "not finite"),
-        (("x.png", "--rope", "1,0,0 1,0.3,0"), "three points"),
+        (("x.png", "--rope", "1,0,0 1,0.3,0"), "three different points"),
         (("x.png", "--width", "-1"), "TapeWidth"),
     ),
     "patch_boundaries.py": (

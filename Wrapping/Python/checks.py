@@ -34,7 +34,7 @@ def numbers(values, name, kind="number"):
     if array.size and array.dtype.kind not in allowed:
         got = array.dtype
         if got == object:
-            others = (value for value in array.flat if not isinstance(value, (int, float)))
+            others = (value for value in array.flat if not isinstance(value, (int, float, np.number)))
             got = next((type(value).__name__ for value in others), got)
         raise ValueError(f"{name}: expected {kind}s, got {got}")
     return array

@@ -40,11 +40,11 @@ constexpr std::size_t LeastGroup = SpacingNeighbors / 2 + 1;
 
 /// Returns the number of nearest points that form a separate group, far from the next ones; 0 if no
 /// group is separate.
-std::size_t CountBeforeGap(const std::vector<double>& squaredDistances)
+std::size_t CountBeforeGap(const std::vector<CloudNeighbor>& neighbors)
 {
-  for (std::size_t i = squaredDistances.size(); i-- > LeastGroup;)
+  for (std::size_t i = neighbors.size(); i-- > LeastGroup;)
   {
-    if (squaredDistances[i] > LeastGap * LeastGap * squaredDistances[i - 1])
+    if (neighbors[i].SquaredDistance > LeastGap * LeastGap * neighbors[i - 1].SquaredDistance)
     {
       return i;
     }
@@ -92,10 +92,13 @@ double SpacingFrom(double squaredDistance, std::size_t k)
 }
 
 float SmoothSpacing(
-  float spacing, const std::vector<double>& squaredDistances, std::vector<float>& around)
+  float spacing, const std::vector<CloudNeighbor>& neighbors, const std::vector<float>& spacings)
 {
-  around.erase(
-    around.begin(), around.begin() + static_cast<std::ptrdiff_t>(CountBeforeGap(squaredDistances)));
+  std::vector<float> around;
+  for (std::size_t i = CountBeforeGap(neighbors); i < neighbors.size(); ++i)
+  {
+    around.push_back(spacings[neighbors[i].Point]);
+  }
   return std::min(spacing, static_cast<float>(LargestSpacingRatio) * Quantile(around, 0.5));
 }
 

@@ -5,10 +5,11 @@
 #ifndef dggBandSizes_h
 #define dggBandSizes_h
 
-#include "dggCloudNodes.h" // for CloudNodes
-#include "dggCoreExport.h" // for DGG_CORE_EXPORT
-#include "dggPoint3.h"     // for Point3
-#include "dggStatus.h"     // for Status
+#include "dggCloudNeighbors.h" // for CloudNeighbor
+#include "dggCloudNodes.h"     // for CloudNodes
+#include "dggCoreExport.h"     // for DGG_CORE_EXPORT
+#include "dggPoint3.h"         // for Point3
+#include "dggStatus.h"         // for Status
 
 #include <cstddef> // for std::size_t
 #include <vector>  // for radii
@@ -28,12 +29,12 @@ constexpr double AutomaticBallBySpacing = 1.5;
 /// k-th neighbor.
 DGG_CORE_EXPORT double SpacingFrom(double squaredDistance, std::size_t k);
 
-/// Returns a robust spacing of a point. Takes the spacings of its nearest neighbors (including the
-/// point itself; reordered by the call) and their squared distances in ascending order. An isolated
-/// point far off the surface must not get a ball that reaches the surface, and a boundary point
-/// must not get a larger ball than its neighbors.
+/// Returns a robust spacing of a point from its spacing, its nearest neighbors (including the point
+/// itself, by ascending distance) and the spacings of all points. An isolated point far off the
+/// surface must not get a ball that reaches the surface, and a boundary point must not get a larger
+/// ball than its neighbors.
 DGG_CORE_EXPORT float SmoothSpacing(
-  float spacing, const std::vector<double>& squaredDistances, std::vector<float>& around);
+  float spacing, const std::vector<CloudNeighbor>& neighbors, const std::vector<float>& spacings);
 
 struct BandOptions
 {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggCloudNeighbors.h"
 
+#define NANOFLANN_NO_THREADS // in its headers; searches may run in threads of the caller
 #include <nanoflann.hpp>
 
 #include <algorithm>
@@ -29,6 +30,8 @@ struct Positions
   }
 };
 
+static_assert(sizeof(Point3) == 3 * sizeof(double), "nanoflann reads a point as three numbers");
+
 using Index = nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, Positions>,
   Positions, 3, Id>;
 
@@ -40,7 +43,7 @@ constexpr auto IsCloser = [](const CloudNeighbor& a, const CloudNeighbor& b) {
 
 /// Returns a slightly larger bound. nanoflann visits only points closer than the bound, which would
 /// exclude points exactly at that distance.
-double WithHair(double squaredDistance)
+double Enlarge(double squaredDistance)
 {
   return squaredDistance * (1.0 + 1e-12) + std::numeric_limits<double>::min();
 }
@@ -92,7 +95,7 @@ public:
     const double farthest = this->Neighbors.size() < this->Most
       ? this->SquaredRadius
       : this->Neighbors.front().SquaredDistance;
-    return WithHair(farthest);
+    return Enlarge(farthest);
   }
 
 private:
@@ -121,7 +124,7 @@ public:
     this->Count += squaredDistance <= this->SquaredRadius ? 1 : 0;
     return true;
   }
-  double worstDist() const { return WithHair(this->SquaredRadius); }
+  double worstDist() const { return Enlarge(this->SquaredRadius); }
 
 private:
   double SquaredRadius;

@@ -27,42 +27,30 @@ constexpr double EndOfSpacings = 0.5;
 Status FindSpacings(const std::vector<Point3>& places, const ParallelFor& parallel,
   const ProgressCallback& progress, std::vector<float>& spacings)
 {
-  struct Closest
-  {
-    std::vector<CloudNeighbor> Neighbors; // of a point, with the point itself
-    std::vector<float> Spacings;
-    std::vector<double> SquaredDistances;
-  };
   const CloudNeighbors tree(places);
   const auto n = static_cast<Offset>(places.size());
-  std::vector<float> raw(places.size());
-  DGG_RETURN_IF_ERROR(ForBlocks(
-    n, PointsPerTask, parallel, ProgressPart(progress, 0.0, 0.5), [] { return Closest(); },
-    [&](Closest& closest, Offset, Offset begin, Offset end) {
-      for (Offset i = begin; i < end; ++i)
-      {
-        tree.FindNearest(places[i], SpacingNeighbors + 1, closest.Neighbors);
-        raw[i] = static_cast<float>(
-          SpacingFrom(closest.Neighbors.back().SquaredDistance, closest.Neighbors.size() - 1));
-      }
-    }));
-  spacings.resize(raw.size());
-  return ForBlocks(
-    n, PointsPerTask, parallel, ProgressPart(progress, 0.5, 1.0), [] { return Closest(); },
-    [&](Closest& closest, Offset, Offset begin, Offset end) {
-      for (Offset i = begin; i < end; ++i)
-      {
-        tree.FindNearest(places[i], SpacingNeighbors + 1, closest.Neighbors);
-        closest.Spacings.clear();
-        closest.SquaredDistances.clear();
-        for (const CloudNeighbor& neighbor : closest.Neighbors)
+  const auto forAll = [&](const ProgressCallback& part, const auto& find) {
+    using Neighbors = std::vector<CloudNeighbor>;
+    return ForBlocks(
+      n, PointsPerTask, parallel, part, [] { return Neighbors(); },
+      [&](Neighbors& neighbors, Offset, Offset begin, Offset end) {
+        for (Offset i = begin; i < end; ++i)
         {
-          closest.Spacings.push_back(raw[neighbor.Point]);
-          closest.SquaredDistances.push_back(neighbor.SquaredDistance);
+          tree.FindNearest(places[i], SpacingNeighbors + 1, neighbors);
+          find(i, neighbors);
         }
-        spacings[i] = SmoothSpacing(raw[i], closest.SquaredDistances, closest.Spacings);
-      }
-    });
+      });
+  };
+  std::vector<float> single(places.size());
+  DGG_RETURN_IF_ERROR(
+    forAll(ProgressPart(progress, 0.0, 0.5), [&](Offset i, const auto& neighbors) {
+      single[i] =
+        static_cast<float>(SpacingFrom(neighbors.back().SquaredDistance, neighbors.size() - 1));
+    }));
+  spacings.resize(places.size());
+  return forAll(ProgressPart(progress, 0.5, 1.0), [&](Offset i, const auto& neighbors) {
+    spacings[i] = SmoothSpacing(single[i], neighbors, single);
+  });
 }
 
 Point3 OffsetOf(const SurfacePoint& point)

@@ -3,6 +3,7 @@
 #include "dggStoredGraph.h"
 
 #include "dggBitHash.h"
+#include "dggCounted.h"
 #include "dggPreparedSurface.h"
 #include "dggStatus.h"
 
@@ -196,8 +197,8 @@ Status StoredGraph::ReadInfo(const StoredArray& array, bool isCloud)
   }
   if (array.Size != InfoSize)
   {
-    return this->Damaged(
-      "DGG.Info has ", array.Size, " values (expected ", static_cast<int>(InfoSize), ")");
+    return this->Damaged("DGG.Info has ", Counted(array.Size, "value"), " (expected ",
+      static_cast<int>(InfoSize), ")");
   }
   GraphInfo& graph = this->View.Info;
   graph.Accuracy = CopyBits<double>(info[Accuracy]);
@@ -227,19 +228,20 @@ Status StoredGraph::ReadSizes(const Arrays& arrays, Offset numberOfPoints)
   {
     if (this->HasRole(role) && arrays[role].Size != edges)
     {
-      return this->Damaged(
-        GetName(role), " has ", arrays[role].Size, " values, but DGG.Targets has ", edges);
+      return this->Damaged(GetName(role), " has ", Counted(arrays[role].Size, "value"),
+        ", but DGG.Targets has ", edges);
     }
   }
   if (arrays[Offsets].Size != numberOfPoints + 1)
   {
     return InvalidInput("The graph on the input does not fit: DGG.Offsets has ",
-      arrays[Offsets].Size, " values, but ", numberOfPoints, " points need ", numberOfPoints + 1);
+      Counted(arrays[Offsets].Size, "value"), ", but ", numberOfPoints, " points need ",
+      numberOfPoints + 1);
   }
   if (this->HasRole(Radii) && arrays[Radii].Size != numberOfPoints)
   {
-    return this->Damaged(
-      "DGG.Radii has ", arrays[Radii].Size, " values, but there are ", numberOfPoints, " points");
+    return this->Damaged("DGG.Radii has ", Counted(arrays[Radii].Size, "value"), ", but ",
+      numberOfPoints, " are needed");
   }
   this->View.NumberOfVertices = static_cast<Id>(numberOfPoints);
   return Status::Success();

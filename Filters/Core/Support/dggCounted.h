@@ -5,7 +5,8 @@
 #ifndef dggCounted_h
 #define dggCounted_h
 
-#include <string> // for texts
+#include <string>      // for texts
+#include <type_traits> // for integers
 
 namespace dgg
 {
@@ -14,6 +15,7 @@ namespace dgg
 template <typename Number>
 std::string Counted(Number count, const std::string& noun, const std::string& plural = "")
 {
+  static_assert(std::is_integral_v<Number>);
   return std::to_string(count) + " " + (count == 1 ? noun : plural.empty() ? noun + "s" : plural);
 }
 }

@@ -317,7 +317,8 @@ void PolygonTriangulator::CutQuad(std::vector<Id>& triangles)
   const bool inside13 = across13 > 0.0;
   if (across02 < 0.0 && across13 < 0.0)
   {
-    // The quad is folded sharply, or crosses itself: then it also does in the plane of CutEars().
+    // The quad is folded sharply or crosses itself. In the second case, its projection onto the
+    // plane of CutEars() crosses itself, too.
     const Vector all = Cross(d02, d13);
     const auto isOutside = [&](const Vector& a, const Vector& b) {
       return Dot(all, a) * Dot(all, b) <= 0.0;
@@ -327,7 +328,8 @@ void PolygonTriangulator::CutQuad(std::vector<Id>& triangles)
       ? 1
       : 0;
   }
-  if (inside13 && (!inside02 || Dot(d13, d13) < Dot(d02, d02)))
+  // Of two inner diagonals the shorter one is used. A product of 0 cuts off a spike without area.
+  if (inside02 && inside13 ? Dot(d13, d13) < Dot(d02, d02) : across13 > across02 && across13 >= 0.0)
   {
     Append(c[0], c[1], c[3], triangles);
     Append(c[1], c[2], c[3], triangles);

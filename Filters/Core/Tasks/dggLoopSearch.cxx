@@ -156,7 +156,7 @@ Status CheckLoopOptions(const LoopOptions& options)
   }
   return InvalidInput("A rope through ", different.size(),
     different.size() == 1 ? " point" : " different points", " runs back along itself")
-    .Fix("Specify three different points or more");
+    .Fix("Specify at least three different points");
 }
 
 //------------------------------------------------------------------------------

@@ -201,6 +201,23 @@ private:
   std::vector<Id> Places;                   // per vertex, its id in the band, or NoId
   std::vector<std::vector<double>> Columns; // channels of the left, then of the right
 };
+
+/// Returns true for an open curve that has no point as far as its width from both ends.
+bool IsShort(const SurfaceMesh& mesh, const CurveSides& sides, const GraphicsCurve& curve)
+{
+  if (curve.IsClosed)
+  {
+    return false;
+  }
+  double length = 0.0;
+  bool isBackward = false;
+  for (std::size_t i = 0; i < sides.Left.size(); ++i)
+  {
+    const EdgeSide& side = sides.Left[i].Face != NoId ? sides.Left[i] : sides.Right[i];
+    length += mesh.Length(FindHalfEdge(mesh, side, isBackward));
+  }
+  return length < 2.0 * curve.Width;
+}
 }
 
 bool IsBlended(const GraphicsCurve& curve, int channels)
@@ -270,6 +287,7 @@ Status AddBand(const SurfaceMesh& mesh, const CurveSides& sides, const CurveChai
     }
     contrast = std::max(contrast, std::abs(difference));
   }
+  contrast = IsShort(mesh, sides, curve) ? contrast : 1.0;
   return Status::Success();
 }
 }

@@ -25,8 +25,8 @@ bool IsBlended(const GraphicsCurve& curve, int channels);
 /// Strengths that vary along the curve are blended: each is harmonic in the band.
 ///
 /// `contrast` is the part, at most 1, of the difference between the two sides that remains where
-/// the curve separates them best: a point on one side is at most as far from the other side as from
-/// an open end of the curve.
+/// an open curve shorter than twice its width separates them best: a point on one side is at most
+/// as far from the other side as from an end. It is 1 for other curves.
 Status AddBand(const SurfaceMesh& mesh, const CurveSides& sides, const CurveChain& chain,
   const GraphicsCurve& curve, int channels, ExactGeodesics& exact, const ProgressCallback& progress,
   std::vector<double>& values, double& contrast);

@@ -87,19 +87,11 @@ private:
     this->Loop.ForNodes(spacings.size(), ShareOfSmoothing, [&](Id begin, Id end) {
       std::vector<CloudNeighbor> neighbors;
       std::vector<float> around;
-      std::vector<double> distances;
       for (Id node = begin; node < end; ++node)
       {
         this->Setup.Neighbors->FindNearest(
           this->Pairs.Points[node], SpacingNeighbors + 1, neighbors);
-        around.clear();
-        distances.clear();
-        for (const CloudNeighbor& neighbor : neighbors)
-        {
-          around.push_back(this->Pairs.Spacings[neighbor.Point]);
-          distances.push_back(neighbor.SquaredDistance);
-        }
-        spacings[node] = SmoothSpacing(this->Pairs.Spacings[node], distances, around);
+        spacings[node] = SmoothSpacing(this->Pairs.Spacings[node], neighbors, this->Pairs.Spacings);
         around.clear();
         for (const CloudNeighbor& neighbor : neighbors)
         {

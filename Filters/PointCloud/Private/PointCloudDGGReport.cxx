@@ -3,6 +3,8 @@
 // vtkPointCloudDGG: getters and warnings.
 #include "PointCloudDGGInternals.h"
 
+#include "dggCounted.h"
+
 #include <cmath>
 
 namespace
@@ -138,13 +140,13 @@ void vtkPointCloudDGG::vtkInternals::WarnAboutPoints()
   const dgg::Id unused = this->Current.Statistics.UnusedPoints;
   if (unused > 0)
   {
-    this->Warn(dgg::JoinText("The cloud has ", unused, unused == 1 ? " point" : " points",
+    this->Warn(dgg::JoinText("The cloud has ", dgg::Counted(unused, "point"),
       " with a coordinate that is not finite. Such points have no edges in the graph"));
   }
   const dgg::Id outliers = this->Current.Statistics.Outliers;
   if (outliers > 0)
   {
-    this->Warn(dgg::JoinText("The cloud has ", outliers, outliers == 1 ? " point" : " points",
+    this->Warn(dgg::JoinText("The cloud has ", dgg::Counted(outliers, "point"),
       " more than 1000 times as far away as all others. The graph connects such points only to "
       "points at the same position"));
   }
