@@ -201,6 +201,16 @@ TEST_F(CellKinds, PolygonsThatCrossThemselves)
     0);
 }
 
+TEST_F(CellKinds, QuadWithASpikeIsCutThere)
+{
+  // The first edge and the last one overlap from (0, 0) to (1, 0).
+  this->Filter->SetInputData(
+    MakeSurface({ { 0, 0, 0 }, { 2, 0, 0 }, { 1, 1, 0 }, { 1, 0, 0 } }, { { 0, 1, 2, 3 } }));
+  this->Filter->SetSourceIds({ 2 });
+  ExpectWarning(this->Filter, { "1 triangle without area" });
+  EXPECT_NEAR(GetDistances(this->Filter)[0], 2.0, 1e-12);
+}
+
 TEST_F(CellKinds, PolygonsAtExtremeScales)
 {
   for (const double unit : { 1e-38, 1e-6, 1e6, 1e38 })

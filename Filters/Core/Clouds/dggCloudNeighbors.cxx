@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggCloudNeighbors.h"
 
-#define NANOFLANN_NO_THREADS // in its headers; searches may run in threads of the caller
+#define NANOFLANN_NO_THREADS // builds trees in the calling thread alone
 #include <nanoflann.hpp>
 
 #include <algorithm>

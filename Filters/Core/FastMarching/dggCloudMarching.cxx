@@ -132,7 +132,7 @@ Status CloudMarching::Run(const TaskContext& context, const std::vector<Geodesic
     "Use a smaller {Resolution} or {BandRadius}"));
   const double scale = this->Nodes.Scale;
   std::vector<BandSource> starts;
-  std::vector<Id> numbers; // index per start: its source
+  std::vector<Id> numbers; // per start, the index of its source
   for (std::size_t k = 0; k < sources.size(); ++k)
   {
     const GeodesicSource& source = sources[k];
