@@ -3,6 +3,7 @@
 /// @file
 /// vtkPoissonVectorGraphics: invalid and degenerate input, colors of any magnitude, memory,
 /// progress.
+#include "LoopTestTools.h"
 #include "VectorGraphicsTestTools.h"
 
 using namespace dggtest;
@@ -206,6 +207,28 @@ TEST(PoissonVectorGraphics, ShortCurvesLoseTheirContrast)
     drawing.Filter, { "Line 0 of input port 1", "width of 2", "at most 44 %", "1 other curve." });
   AddArray(drawing.OfCells(), "Width", { 1.0, 1e8, 1e8 }, 1);
   ExpectWarning(drawing.Filter, { "Line 1 of input port 1", "width of 1e+08", "at most 0 %" });
+}
+
+TEST(PoissonVectorGraphics, ClosedCurvesAreNotShort)
+{
+  // Around the tube of a torus. The way around the hole is shorter than the width.
+  const auto torus = MakeTorus(24, 12);
+  Points points;
+  std::vector<vtkIdType> around;
+  for (vtkIdType j = 0; j < 12; ++j)
+  {
+    points.emplace_back();
+    torus->GetPoint(24 * j, points.back().data());
+    around.push_back(j);
+  }
+  around.push_back(0);
+  GraphicsFixture drawing(points, { around });
+  drawing.Filter->SetInputData(torus);
+  drawing.Filter->SetWidth(20.0);
+  AddArray<vtkIntArray>(drawing.OfCells(), "CurveType", { 1 }, 1);
+  AddArray(drawing.OfCells(), "Strength", { 1.0 }, 1);
+  const std::vector<double> colors = GetValues(drawing.Run(), "Colors");
+  EXPECT_LT(*std::max_element(colors.begin(), colors.end()), 0.5); // an open curve would warn
 }
 
 TEST(PoissonVectorGraphics, MemoryIsPredictedBeforeCurvesAreDrawn)
