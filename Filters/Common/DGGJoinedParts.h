@@ -31,15 +31,9 @@ struct DGGPartResult
   DGGChangedArrays Cells;
 };
 
-/// Joins parts to one surface, and transfers results on this surface to the parts.
-/// Points of parts of one block are identified
-///  - if all parts have global ids: by equal ids, which must not occur at other positions;
-///  - otherwise by equal positions on the boundaries of different parts. If a part has several
-///    points at one position, at a seam, only ends of edges that coincide are identified.
-/// Points are numbered block by block, within a block by global ids or else part by part in their
-/// order. Cells are numbered in the same manner within their kind; cells with the same global id on
-/// the same points are identified. A part that another process has as well counts once. A single
-/// part is unchanged.
+/// Joins parts to one surface, and transfers results on this surface to the parts. For the order of
+/// points and cells, and which are identified, see dgg::JoinPieces(). A part that another process
+/// has as well counts once. A single part is unchanged.
 class VTKDGGFILTERSCOMMON_EXPORT DGGJoinedParts
 {
 public:
@@ -54,7 +48,7 @@ public:
 
 private:
   vtkSmartPointer<vtkPolyData> Whole;
-  std::vector<DGGPartNumbers> Numbers; // per part
+  std::vector<dgg::PieceNumbering::Numbers> Numbers; // per part
 };
 
 #endif

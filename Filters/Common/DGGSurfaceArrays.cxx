@@ -10,6 +10,7 @@
 #include "vtkPolyData.h"
 #include "vtkTypeInt32Array.h"
 #include "vtkTypeInt64Array.h"
+#include "vtkVariant.h"
 
 #include <algorithm>
 #include <memory>
@@ -88,6 +89,10 @@ dgg::CellArrays DGGSurfaceArrays::ConvertCells(vtkCellArray* cells)
 const dgg::Offset* DGGSurfaceArrays::ConvertIds(vtkDataArray* ids)
 {
   static_assert(sizeof(vtkTypeInt64) == sizeof(dgg::Offset));
+  if (!ids)
+  {
+    return nullptr;
+  }
   if (auto* values = vtkTypeInt64Array::FastDownCast(ids))
   {
     return static_cast<const dgg::Offset*>(values->GetVoidPointer(0));
@@ -100,7 +105,8 @@ const dgg::Offset* DGGSurfaceArrays::ConvertIds(vtkDataArray* ids)
   }
   for (std::size_t i = 0; i < copy.size(); ++i)
   {
-    copy[i] = static_cast<dgg::Offset>(ids->GetComponent(static_cast<vtkIdType>(i), 0));
+    // A conversion to double could round the id.
+    copy[i] = ids->GetVariantValue(static_cast<vtkIdType>(i)).ToTypeInt64();
   }
   return copy.data();
 }

@@ -32,12 +32,15 @@ public:
 
   const dgg::SurfaceArrays& Get() const { return this->Arrays; }
 
-  /// Converts any cells, which may be null. Valid as long as this object and the cells exist.
+  ///@{
+  /// Converts any cells, and any integers; both may be null. Valid as long as this object and the
+  /// argument exist.
   dgg::CellArrays ConvertCells(vtkCellArray* cells);
+  const dgg::Offset* ConvertIds(vtkDataArray* ids);
+  ///@}
 
 private:
   const double* ConvertPoints(vtkDataArray* points);
-  const dgg::Offset* ConvertIds(vtkDataArray* ids);
 
   dgg::SurfaceArrays Arrays;
   std::vector<double> Points;

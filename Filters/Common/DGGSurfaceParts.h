@@ -5,13 +5,15 @@
 #ifndef DGGSurfaceParts_h
 #define DGGSurfaceParts_h
 
+#include "DGGSurfaceArrays.h"          // for copies
 #include "vtkDGGFiltersCommonModule.h" // for the export macro
-#include "dggStatus.h"                 // for Status
+#include "dggPieces.h"                 // for Piece
 
 #include "vtkPolyData.h"     // for the parts
 #include "vtkSmartPointer.h" // for the parts
 
-#include <vector> // for the parts
+#include <optional> // for copies
+#include <vector>   // for the parts
 
 class vtkCellArray;
 class vtkDataObject;
@@ -38,26 +40,18 @@ inline bool DGGIsEmpty(vtkPolyData* part)
 /// Returns the cells of a kind (0 verts, 1 lines, 2 polygons, 3 strips). The cell ids of a
 /// vtkPolyData count one kind after the other.
 VTKDGGFILTERSCOMMON_EXPORT vtkCellArray* DGGGetCells(vtkPolyData* part, int kind);
-constexpr int DGGNumberOfCellKinds = 4;
 
-/// Returns an error if a cell has a point id that is out of range.
-VTKDGGFILTERSCOMMON_EXPORT dgg::Status DGGCheckCells(vtkPolyData* part);
+/// Converts a part. `copies` holds the arrays that had to be copied.
+VTKDGGFILTERSCOMMON_EXPORT dgg::Piece DGGConvertPart(
+  const DGGSurfacePart& part, std::optional<DGGSurfaceArrays>& copies);
 
-/// Ids of the points and cells of a part in another vtkPolyData; -1 for those that are not in it.
-struct DGGPartNumbers
-{
-  std::vector<vtkIdType> Points;
-  std::vector<vtkIdType> Cells;
-};
-
-/// Returns the vtkPolyData that parts are numbered in, with the arrays that all parts have. If
-/// several points or cells have the same number, the first one is used.
+/// Returns the vtkPolyData that parts form, with the arrays that all parts have.
 VTKDGGFILTERSCOMMON_EXPORT vtkSmartPointer<vtkPolyData> DGGAssembleParts(
-  const std::vector<DGGSurfacePart>& parts, const std::vector<DGGPartNumbers>& numbers);
+  const std::vector<DGGSurfacePart>& parts, const dgg::PieceNumbering& numbering);
 
 /// Removes the cells that another process owns, according to the ghost array, and points that only
 /// these cells use. A part without such cells remains the same object. Hidden cells are kept. Fails
-/// like DGGCheckCells().
+/// if a cell has a point id that is out of range.
 VTKDGGFILTERSCOMMON_EXPORT dgg::Status DGGRemoveGhosts(vtkSmartPointer<vtkPolyData>& part);
 
 #endif

@@ -59,17 +59,6 @@ double GetDiagonal(const std::vector<double>& points, const std::vector<Id>& ids
   return box.GetDiagonal();
 }
 
-Status CheckOffsets(const CellArrays& cells)
-{
-  const Offset* end = cells.Offsets + cells.NumberOfCells;
-  const bool isValid =
-    cells.Offsets[0] == 0 && *end == cells.NumberOfIds && std::is_sorted(cells.Offsets, end + 1);
-  return isValid ? Status::Success()
-                 : InvalidInput("The offsets and the connectivity of the polygons or strips of the "
-                                "input contradict each other")
-                     .Fix("Rebuild the cell array");
-}
-
 void AddCells(BitHash& hash, const CellArrays& cells)
 {
   if (cells.NumberOfCells > 0)
@@ -177,33 +166,19 @@ Status PreparedSurface::Build(const SurfaceArrays& input)
 //------------------------------------------------------------------------------
 Status PreparedSurface::CheckCells(const CellArrays& cells, Offset firstCell, bool areFinite) const
 {
-  if (cells.NumberOfCells == 0)
-  {
-    return Status::Success();
-  }
-  DGG_RETURN_IF_ERROR(CheckOffsets(cells));
   const auto n = static_cast<Offset>(this->Positions.size() / 3);
+  DGG_RETURN_IF_ERROR(cells.Check(firstCell, n, "input"));
   const Offset* end = cells.Ids + cells.NumberOfIds;
-  const Offset* wrong = std::find_if(cells.Ids, end, [&](Offset id) {
-    return id < 0 || id >= n ||
-      !(areFinite || IsFinite(PointAt(this->Positions.data(), static_cast<Id>(id))));
+  const Offset* wrong = areFinite ? end : std::find_if(cells.Ids, end, [this](Offset id) {
+    return !IsFinite(PointAt(this->Positions.data(), static_cast<Id>(id)));
   });
   if (wrong == end)
   {
     return Status::Success();
   }
-  const Offset* next =
-    std::upper_bound(cells.Offsets, cells.Offsets + cells.NumberOfCells, wrong - cells.Ids);
-  const Offset cell = firstCell + (next - cells.Offsets) - 1;
-  if (*wrong < 0 || *wrong >= n)
-  {
-    return InvalidInput(
-      "Cell ", cell, " refers to point ", *wrong, ", but the input has ", Counted(n, "point"))
-      .Fix("Repair the cell");
-  }
   const Point3 p = PointAt(this->Positions.data(), static_cast<Id>(*wrong));
-  return InvalidInput("Point ", *wrong, " of cell ", cell, " has the coordinates (", p.X, ", ", p.Y,
-    ", ", p.Z, "), which are not finite")
+  return InvalidInput("Point ", *wrong, " of cell ", firstCell + cells.FindCell(wrong - cells.Ids),
+    " has the coordinates (", p.X, ", ", p.Y, ", ", p.Z, "), which are not finite")
     .Fix("Repair the point or remove the cell");
 }
 

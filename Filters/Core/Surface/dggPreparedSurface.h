@@ -6,6 +6,7 @@
 #define dggPreparedSurface_h
 
 #include "dggCapSplitting.h"  // for CapSplitting
+#include "dggCellArrays.h"    // for CellArrays
 #include "dggCoreExport.h"    // for DGG_CORE_EXPORT
 #include "dggGeodesicGraph.h" // for Signature
 #include "dggMeshReport.h"    // for MeshReport
@@ -20,15 +21,6 @@
 namespace dgg
 {
 class Locator;
-
-/// Cells as flat arrays: cell i has the point ids `Ids[Offsets[i]]` to `Ids[Offsets[i+1]-1]`.
-struct CellArrays
-{
-  Offset NumberOfCells = 0;
-  const Offset* Offsets = nullptr; ///< NumberOfCells + 1
-  const Offset* Ids = nullptr;
-  Offset NumberOfIds = 0;
-};
 
 /// Points and cells of an input.
 struct SurfaceArrays
