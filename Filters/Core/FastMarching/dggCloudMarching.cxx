@@ -124,15 +124,11 @@ void CloudMarching::NumberPlaces(Id numberOfPoints)
   }
 }
 
-Status CloudMarching::Run(const TaskContext& context, const std::vector<GeodesicSource>& sources,
-  double maximumDistance, const ProgressCallback& progress, MarchingResult& result) const
+std::vector<BandSource> CloudMarching::FindStarts(
+  const std::vector<GeodesicSource>& sources, std::vector<Id>& indices) const
 {
-  DGG_RETURN_IF_ERROR(context.Memory.Check("Fast marching",
-    BandMarching::PredictMemory(static_cast<double>(this->Band.GetNumberOfBricks())),
-    "Use a smaller {Resolution} or {BandRadius}"));
   const double scale = this->Nodes.Scale;
   std::vector<BandSource> starts;
-  std::vector<Id> numbers; // per start, the index of its source
   for (std::size_t k = 0; k < sources.size(); ++k)
   {
     const GeodesicSource& source = sources[k];
@@ -147,8 +143,20 @@ Status CloudMarching::Run(const TaskContext& context, const std::vector<Geodesic
     starts.push_back(this->Marching->IsNear(closest + offset)
         ? BandSource{ closest + offset, start }
         : BandSource{ closest, start + Norm(offset) });
-    numbers.push_back(static_cast<Id>(k));
+    indices.push_back(static_cast<Id>(k));
   }
+  return starts;
+}
+
+Status CloudMarching::Run(const TaskContext& context, const std::vector<GeodesicSource>& sources,
+  double maximumDistance, const ProgressCallback& progress, MarchingResult& result) const
+{
+  DGG_RETURN_IF_ERROR(context.Memory.Check("Fast marching",
+    BandMarching::PredictMemory(static_cast<double>(this->Band.GetNumberOfBricks())),
+    "Use a smaller {Resolution} or {BandRadius}"));
+  const double scale = this->Nodes.Scale;
+  std::vector<Id> indices;
+  const std::vector<BandSource> starts = this->FindStarts(sources, indices);
   BandMarchingResult march;
   if (!starts.empty())
   {
@@ -166,7 +174,7 @@ Status CloudMarching::Run(const TaskContext& context, const std::vector<Geodesic
   {
     march.Distances[i] /= scale;
     Id& nearest = march.NearestSource[i];
-    nearest = nearest == NoId ? NoId : numbers[nearest];
+    nearest = nearest == NoId ? NoId : indices[nearest];
   }
   // The distance of the point at or closest to a source is at most the initial distance of the
   // source plus their straight distance.

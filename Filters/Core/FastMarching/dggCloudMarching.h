@@ -41,6 +41,9 @@ public:
 
 private:
   void NumberPlaces(Id numberOfPoints);
+  /// Returns the starts of the march. `indices` receives the index of the source of each start.
+  std::vector<BandSource> FindStarts(
+    const std::vector<GeodesicSource>& sources, std::vector<Id>& indices) const;
 
   CloudNodes Nodes;
   std::vector<Point3> Places; // positions of nodes
