@@ -77,10 +77,14 @@ def draw_panel(axes, panel):
     axes.set_xscale("log")
     axes.set_yscale("log")
     for axis in (axes.xaxis, axes.yaxis):
+        low, high = axis.get_view_interval()
+        # Minor ticks such as 20 and 50 are labeled; all of them where there may be no major tick.
+        digits = "25" if high > 10.0 * low else "23456789"
         axis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
-        # Minor ticks such as 20 and 50 are labeled.
         axis.set_minor_formatter(
-            FuncFormatter(lambda value, _: f"{value:g}" if f"{value:e}"[0] in "25" else "")
+            FuncFormatter(
+                lambda value, _, digits=digits: f"{value:g}" if f"{value:e}"[0] in digits else ""
+            )
         )
     if panel.ticks:
         values, labels = zip(*panel.ticks)
