@@ -7,7 +7,6 @@
 #include "DGGProperties.h"
 #include "DGGSources.h"
 
-#include "dggDistanceRows.h"
 #include "dggMatrixSearch.h"
 #include "dggSourceCollection.h"
 
@@ -22,7 +21,6 @@
 #include "vtkTable.h"
 #include "vtkTypeInt64Array.h"
 
-#include <algorithm>
 #include <limits>
 #include <string>
 
@@ -50,12 +48,11 @@ dgg::Status CheckMemory(
   return memory.Check("A matrix of " + size, bytes, "Use fewer points at a time");
 }
 
-/// Returns an array of infinities. Writing them commits the memory.
+/// Returns an array of infinities, with its memory committed.
 vtkSmartPointer<vtkDoubleArray> MakeArray(
   std::size_t tuples, std::size_t components, const char* name = nullptr)
 {
-  dgg::Buffer<double> values(tuples * components); // throws bad_alloc, where VTK may abort
-  std::fill(values.begin(), values.end(), dgg::Infinity);
+  auto values = dgg::MakeUnreached(tuples * components); // throws bad_alloc, where VTK may abort
   return DGGAdoptArray<vtkDoubleArray>(values, name, static_cast<int>(components));
 }
 
@@ -80,20 +77,15 @@ Columns MakeColumns(std::size_t rows, std::size_t columns)
 void FillTable(
   vtkDoubleArray* matrix, const Columns& columns, const dgg::ParallelFor& parallel, vtkTable* table)
 {
-  const vtkIdType rows = matrix->GetNumberOfTuples();
-  const auto count = static_cast<dgg::Offset>(columns.size());
-  parallel(count, 1, [&](dgg::Offset begin, dgg::Offset end) {
-    for (vtkIdType i = 0; i < rows; ++i)
-    {
-      const double* row = matrix->GetPointer(i * count);
-      for (dgg::Offset j = begin; j < end; ++j)
-      {
-        columns[j]->SetValue(i, row[j]);
-      }
-    }
-  });
-  table->GetRowData()->AllocateArrays(static_cast<int>(count));
-  for (dgg::Offset j = 0; j < count; ++j)
+  std::vector<double*> values;
+  for (const auto& column : columns)
+  {
+    values.push_back(column->GetPointer(0));
+  }
+  dgg::CopyColumns(
+    matrix->GetPointer(0), static_cast<std::size_t>(matrix->GetNumberOfTuples()), values, parallel);
+  table->GetRowData()->AllocateArrays(static_cast<int>(columns.size()));
+  for (std::size_t j = 0; j < columns.size(); ++j)
   {
     // Named afterwards, since a named array is compared with all existing columns.
     table->AddColumn(columns[j]);
@@ -275,13 +267,7 @@ dgg::Status vtkGeodesicDistanceMatrix::vtkInternals::Execute(
   const dgg::MatrixEntries entries{ matrix->GetPointer(0), columns.size(), sourcesAreRows };
   DGG_RETURN_IF_ERROR(dgg::MatrixSearch(context, this->GraphUser, sourcesAreRows ? rows : columns,
     sourcesAreRows ? columns : rows, entries)
-                        .Run(symmetric, this->Self->MaximumDistance));
-  std::replace_if(
-    entries.Values, entries.Values + rows.size() * columns.size(),
-    [this](double distance) {
-      return distance == dgg::Infinity || distance > this->Self->MaximumDistance;
-    },
-    this->Self->UnreachedValue);
+                        .Run(symmetric, this->Self->MaximumDistance, this->Self->UnreachedValue));
   vtkTable* output = vtkTable::GetData(outputVector);
   output->Initialize();
   FillTable(matrix, table, context.Parallel, output);
@@ -293,26 +279,12 @@ dgg::Status vtkGeodesicDistanceMatrix::vtkInternals::Execute(
 dgg::Status vtkGeodesicDistanceMatrix::vtkInternals::FillCompressedRows(
   const DGGContext& context, const std::vector<dgg::GeodesicSource>& rows, vtkTable* output)
 {
-  DGGGraphUser& graph = this->GraphUser;
-  DGG_RETURN_IF_ERROR(graph.Update(context, this->Self));
-  std::vector<dgg::GraphSeed> links;
-  DGG_RETURN_IF_ERROR(graph.MakeSeeds(context, rows, links));
-  std::vector<std::vector<dgg::GraphSeed>> seeds(rows.size());
-  for (const dgg::GraphSeed& link : links)
-  {
-    seeds[link.Source].push_back(link);
-  }
-  dgg::DistanceRowsOptions options;
-  options.Correct = this->Self->Correction && !context.Surface.IsCloud();
-  options.MaximumDistance =
+  const double radius =
     this->Self->MaximumDistance < VTK_DOUBLE_MAX ? this->Self->MaximumDistance : dgg::Infinity;
-  options.SearchRadius =
-    options.Correct ? graph.WidenLimit(options.MaximumDistance, rows) : options.MaximumDistance;
-  options.MemoryLimit = context.Memory.GetBytes();
-  options.NextPoints = dgg::FindNextPoints(context.Surface);
   dgg::DistanceRows found;
-  DGG_RETURN_IF_ERROR(dgg::FindDistanceRows(graph.GetSearch(), seeds, options, context.Parallel,
-    graph.GetRemainingProgress(context), found));
+  DGG_RETURN_IF_ERROR(this->GraphUser.Update(context, this->Self));
+  DGG_RETURN_IF_ERROR(
+    dgg::FindDistanceRows(context, this->GraphUser, rows, radius, this->Self->Correction, found));
   output->Initialize();
   output->AddColumn(DGGAdoptArray<vtkIntArray>(found.Columns, "Column"));
   output->AddColumn(DGGAdoptArray<vtkDoubleArray>(found.Distances, "GeodesicDistance"));

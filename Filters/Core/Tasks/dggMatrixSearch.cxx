@@ -5,6 +5,7 @@
 #include "dggBlockLoop.h"
 #include "dggGraphSeeds.h"
 #include "dggGraphSession.h"
+#include "dggPreparedSurface.h"
 #include "dggProgressPart.h"
 
 #include <algorithm>
@@ -66,7 +67,7 @@ Status MatrixSearch::LinkPoints(
     });
 }
 
-Status MatrixSearch::Run(bool symmetric, double radius)
+Status MatrixSearch::Run(bool symmetric, double radius, double unreachedValue)
 {
   this->IsSymmetric = symmetric;
   const bool areVertices = std::all_of(this->Sources.begin(), this->Sources.end(), IsVertex) &&
@@ -92,6 +93,10 @@ Status MatrixSearch::Run(bool symmetric, double radius)
   {
     this->Mirror();
   }
+  std::replace_if(
+    this->Distances.Values, this->Distances.Values + this->Sources.size() * this->Targets.size(),
+    [radius](double distance) { return distance == Infinity || distance > radius; },
+    unreachedValue);
   return Status::Success();
 }
 
@@ -142,5 +147,46 @@ void MatrixSearch::Mirror() const
       this->Distances(j, i) = distance;
     }
   }
+}
+
+Buffer<double> MakeUnreached(std::size_t size)
+{
+  Buffer<double> entries(size);
+  std::fill(entries.begin(), entries.end(), Infinity);
+  return entries;
+}
+
+void CopyColumns(const double* matrix, std::size_t numberOfRows,
+  const std::vector<double*>& columns, const ParallelFor& parallel)
+{
+  parallel(static_cast<Offset>(columns.size()), 1, [&](Offset begin, Offset end) {
+    for (std::size_t i = 0; i < numberOfRows; ++i)
+    {
+      for (Offset j = begin; j < end; ++j)
+      {
+        columns[j][i] = matrix[i * columns.size() + j];
+      }
+    }
+  });
+}
+
+Status FindDistanceRows(const TaskContext& context, GraphSession& graph,
+  const std::vector<GeodesicSource>& sources, double radius, bool correct, DistanceRows& rows)
+{
+  std::vector<GraphSeed> links;
+  DGG_RETURN_IF_ERROR(graph.MakeSeeds(context, sources, links));
+  std::vector<std::vector<GraphSeed>> seeds(sources.size());
+  for (const GraphSeed& link : links)
+  {
+    seeds[link.Source].push_back(link);
+  }
+  DistanceRowsOptions options;
+  options.Correct = correct && !context.Surface.IsCloud();
+  options.MaximumDistance = radius;
+  options.SearchRadius = options.Correct ? graph.WidenLimit(radius, sources) : radius;
+  options.MemoryLimit = context.Memory.GetBytes();
+  options.NextPoints = FindNextPoints(context.Surface);
+  return FindDistanceRows(
+    graph.GetSearch(), seeds, options, context.Parallel, graph.GetRemainingProgress(context), rows);
 }
 }

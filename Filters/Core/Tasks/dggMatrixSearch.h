@@ -5,10 +5,12 @@
 #ifndef dggMatrixSearch_h
 #define dggMatrixSearch_h
 
-#include "dggCoreExport.h"   // for DGG_CORE_EXPORT
-#include "dggGraphBuilder.h" // for GraphLink
-#include "dggGraphSearch.h"  // for GraphSearch
-#include "dggSurfacePoint.h" // for SurfacePoint
+#include "dggCoreExport.h"     // for DGG_CORE_EXPORT
+#include "dggDistanceRows.h"   // for DistanceRows
+#include "dggGeodesicSource.h" // for GeodesicSource
+#include "dggGraphBuilder.h"   // for GraphLink
+#include "dggGraphSearch.h"    // for GraphSearch
+#include "dggSurfacePoint.h"   // for SurfacePoint
 
 #include <cstddef> // for std::size_t
 #include <vector>  // for the points
@@ -43,13 +45,13 @@ public:
   using Links = std::vector<std::vector<GraphLink>>; // per point
 
   /// `graph` must be up to date, and all entries must be Infinity. distances(i, j) becomes the
-  /// distance of sources[i] from targets[j], or stays Infinity if there is no path.
+  /// distance of sources[i] from targets[j].
   MatrixSearch(const TaskContext& context, GraphSession& graph, const Points& sources,
     const Points& targets, const MatrixEntries& distances);
 
   /// Finds all distances. With `symmetric`, targets and sources are the same points: one half is
-  /// searched and mirrored. Distances above `radius` may stay Infinity.
-  Status Run(bool symmetric, double radius);
+  /// searched and mirrored. Distances without a path or above `radius` become `unreachedValue`.
+  Status Run(bool symmetric, double radius, double unreachedValue = Infinity);
 
 private:
   template <typename EntryType>
@@ -70,6 +72,18 @@ private:
   const ProgressCallback Progress;
   double Done = 0.0; // progress so far
 };
+
+/// Returns entries that are Infinity. Writing them commits the memory.
+DGG_CORE_EXPORT Buffer<double> MakeUnreached(std::size_t size);
+
+/// Copies a matrix that is stored row by row to one array per column.
+DGG_CORE_EXPORT void CopyColumns(const double* matrix, std::size_t numberOfRows,
+  const std::vector<double*>& columns, const ParallelFor& parallel);
+
+/// Finds the distances up to `radius` from each source, corrected if requested and not on a cloud,
+/// as compressed rows. `graph` must be up to date.
+DGG_CORE_EXPORT Status FindDistanceRows(const TaskContext& context, GraphSession& graph,
+  const std::vector<GeodesicSource>& sources, double radius, bool correct, DistanceRows& rows);
 }
 
 #endif
