@@ -12,6 +12,7 @@
 #include "DGGThreads.h"
 #include "vtkGeodesicAlgorithm.h"
 
+#include "dggDistanceOutput.h"
 #include "dggStatus.h"
 
 #include "vtkAlgorithmOutput.h"
@@ -326,9 +327,7 @@ dgg::Domain DGGFilterInternals::GetDomain(vtkPolyData* surface) const
 //------------------------------------------------------------------------------
 void DGGFilterInternals::WarnAboutGaps(const std::vector<bool>& isReached)
 {
-  if (this->GapsBuildTime == this->Mesh->GetBuildTime() ||
-    2 * std::count(isReached.begin(), isReached.end(), true) >
-      static_cast<std::ptrdiff_t>(isReached.size()))
+  if (this->GapsBuildTime == this->Mesh->GetBuildTime() || dgg::AreMostReached(isReached))
   {
     return;
   }

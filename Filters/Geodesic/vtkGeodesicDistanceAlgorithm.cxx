@@ -194,7 +194,7 @@ dgg::Status DGGDistanceInternals::Execute(
   DGG_RETURN_IF_ERROR(
     DGGLocate(context, set, this->Filter->ProjectionTolerance, sources, this->Filter));
 
-  DGGDistanceTask task{ {}, context, sources };
+  DGGDistanceTask task{ { {}, sources }, context };
   task.MaximumDistance =
     this->Filter->MaximumDistance < VTK_DOUBLE_MAX ? this->Filter->MaximumDistance : dgg::Infinity;
   task.Arrays = this->DeclareArrays();
@@ -221,7 +221,7 @@ dgg::Status DGGDistanceInternals::Execute(
 void DGGDistanceInternals::MakeEmptyOutput(
   const DGGContext& context, vtkInformationVector* outputVector)
 {
-  DGGDistanceTask task{ {}, context, {} };
+  DGGDistanceTask task{ { {}, {} }, context };
   task.Arrays = this->DeclareArrays();
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   output->ShallowCopy(context.Input);

@@ -82,6 +82,13 @@ std::vector<bool> FindReached(const PreparedSurface& surface, const DistanceResu
 }
 
 //------------------------------------------------------------------------------
+bool AreMostReached(const std::vector<bool>& isReached)
+{
+  return 2 * std::count(isReached.begin(), isReached.end(), true) >
+    static_cast<std::ptrdiff_t>(isReached.size());
+}
+
+//------------------------------------------------------------------------------
 std::vector<Id> GetNearestSources(const PreparedSurface& surface, const DistanceResults& results,
   const std::vector<bool>& isReached)
 {

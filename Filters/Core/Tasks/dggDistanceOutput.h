@@ -7,6 +7,7 @@
 
 #include "dggCoreExport.h"     // for DGG_CORE_EXPORT
 #include "dggEdgeWindows.h"    // for EdgeWindows
+#include "dggGeodesicSource.h" // for GeodesicSource
 #include "dggVirtualSources.h" // for VirtualSources
 
 #include <string> // for names
@@ -42,6 +43,16 @@ struct DistanceResults
   std::vector<Id> Vertices; ///< each once; all other vertices are unreached
 };
 
+/// Results, their sources and what is requested. Vertices farther than MaximumDistance may be left
+/// unreached. The components of `Arrays`, which are declared, are to be filled.
+struct DistanceTask : public DistanceResults
+{
+  const std::vector<GeodesicSource>& Sources; ///< at least one
+  bool WantNearestSource = false;             ///< true if NearestSource is requested
+  bool WantVirtualSource = false;             ///< true if VirtualSource is requested
+  bool MayBeSparse = false;                   ///< true if IsSparse is allowed
+};
+
 struct DistanceNames
 {
   std::string Distance;
@@ -52,6 +63,9 @@ struct DistanceNames
 /// Returns true for each vertex that is reached.
 DGG_CORE_EXPORT std::vector<bool> FindReached(
   const PreparedSurface& surface, const DistanceResults& results);
+
+/// Returns true if more than half of the vertices are reached.
+DGG_CORE_EXPORT bool AreMostReached(const std::vector<bool>& isReached);
 
 /// Returns the nearest source of each point of the input; NoId if unreached. For results that are
 /// not sparse.

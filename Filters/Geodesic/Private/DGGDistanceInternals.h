@@ -7,8 +7,7 @@
 
 #include "DGGFilterInternals.h" // for the base
 
-#include "dggDistanceOutput.h" // for DistanceResults
-#include "dggGeodesicSource.h" // for GeodesicSource
+#include "dggDistanceOutput.h" // for DistanceTask
 
 #include <vector> // for the results
 
@@ -16,15 +15,10 @@ struct DGGSourceSet;
 class vtkGeodesicDistanceAlgorithm;
 
 /// Arguments, all checked, and results of DGGDistanceInternals::ComputeDistances(). `Arrays` come
-/// from DGGDistanceInternals::DeclareArrays(), and their components are to be filled. Vertices
-/// farther than MaximumDistance may be left unreached.
-struct DGGDistanceTask : public dgg::DistanceResults
+/// from DGGDistanceInternals::DeclareArrays().
+struct DGGDistanceTask : public dgg::DistanceTask
 {
   const DGGContext& Context;
-  const std::vector<dgg::GeodesicSource>& Sources; ///< at least one
-  bool WantNearestSource = false;                  ///< true if NearestSource is requested
-  bool WantVirtualSource = false;                  ///< true if VirtualSource is requested
-  bool MayBeSparse = false;                        ///< true if IsSparse is allowed
 };
 
 /// The steps of an update of a vtkGeodesicDistanceAlgorithm, except the computation of distances.

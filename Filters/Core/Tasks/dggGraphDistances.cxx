@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "dggGraphDistances.h"
+
+#include "dggDistanceOutput.h"
+#include "dggGraphSession.h"
+#include "dggPreparedSurface.h"
+#include "dggSourceFinding.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace dgg
+{
+namespace
+{
+/// Returns the values at the given vertices.
+template <typename Value>
+std::vector<Value> Select(const std::vector<Value>& values, const std::vector<Id>& vertices)
+{
+  std::vector<Value> selected(vertices.size());
+  std::transform(
+    vertices.begin(), vertices.end(), selected.begin(), [&](Id vertex) { return values[vertex]; });
+  return selected;
+}
+
+/// Moves the requested values of a search to the task.
+void TakeResults(
+  const std::vector<GraphSeed>& seeds, bool correct, SearchResult& result, DistanceTask& task)
+{
+  task.IsSparse = task.MayBeSparse && !task.WantVirtualSource && result.IsLocal();
+  if (task.IsSparse)
+  {
+    task.Vertices = result.Reached;
+  }
+  const auto take = [&](auto& values) {
+    return task.IsSparse ? Select(values, task.Vertices) : std::move(values);
+  };
+  if (task.WantNearestSource)
+  {
+    task.NearestSource = take(result.Seeds);
+    for (Id& index : task.NearestSource)
+    {
+      index = index == NoId ? NoId : seeds[index].Source;
+    }
+  }
+  for (VertexArray& array : task.Arrays)
+  {
+    array.Components = { task.IsSparse ? Select(result.Distances, task.Vertices)
+                                       : result.Distances };
+  }
+  task.Distances = take(correct ? result.Corrected : result.Distances);
+}
+}
+
+Status FindGraphDistances(const TaskContext& context, GraphSession& graph, SearchMethod method,
+  bool correct, DistanceTask& task)
+{
+  const bool isCorrected = correct && !context.Surface.IsCloud();
+  std::vector<GraphSeed> seeds;
+  DGG_RETURN_IF_ERROR(graph.MakeSeeds(context, task.Sources, seeds));
+  SearchOptions options;
+  options.Method = method;
+  options.Correct = isCorrected || task.WantVirtualSource;
+  options.MaximumDistance =
+    isCorrected ? graph.WidenLimit(task.MaximumDistance, task.Sources) : task.MaximumDistance;
+  options.Progress = graph.GetRemainingProgress(context);
+  SearchResult& result = graph.GetResult();
+  DGG_RETURN_IF_ERROR(graph.GetSearch().Run(seeds, options, result));
+  if (task.WantVirtualSource)
+  {
+    FindVirtualSources(context.Surface.GetMesh(), result,
+      isCorrected ? result.Corrected : result.Distances, task.VirtualSource, context.Parallel);
+  }
+  TakeResults(seeds, isCorrected, result, task);
+  if (!task.IsSparse)
+  {
+    result = SearchResult();
+  }
+  return Status::Success();
+}
+}
