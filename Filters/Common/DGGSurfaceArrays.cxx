@@ -29,6 +29,7 @@ dgg::InputArray Describe(vtkAbstractArray* array, const std::string& name)
     described.NumberOfComponents = array->GetNumberOfComponents();
     described.NumberOfTuples = array->GetNumberOfTuples();
     described.AreNumbers = vtkDataArray::SafeDownCast(array) != nullptr;
+    described.AreFloats = array->GetDataType() == VTK_FLOAT;
     described.AreBytes = array->GetDataType() == VTK_UNSIGNED_CHAR;
   }
   return described;
@@ -134,17 +135,22 @@ dgg::Status DGGCheckPointArray(vtkAbstractArray* array, vtkPolyData* data, const
 }
 
 //------------------------------------------------------------------------------
-dgg::InputArray DGGReadArray(vtkFieldData* data, const std::string& name)
+dgg::InputArray DGGReadArray(vtkAbstractArray* array, const std::string& name)
 {
-  vtkAbstractArray* found = data && !name.empty() ? data->GetAbstractArray(name.c_str()) : nullptr;
-  dgg::InputArray array = Describe(found, name);
-  if (auto* numbers = vtkDataArray::SafeDownCast(found))
+  dgg::InputArray read = Describe(array, name);
+  if (auto* numbers = vtkDataArray::SafeDownCast(array))
   {
-    array.Values.resize(static_cast<std::size_t>(array.NumberOfTuples * array.NumberOfComponents));
-    for (vtkIdType i = 0; i < array.NumberOfTuples; ++i)
+    read.Values.resize(static_cast<std::size_t>(read.NumberOfTuples * read.NumberOfComponents));
+    for (vtkIdType i = 0; i < read.NumberOfTuples; ++i)
     {
-      numbers->GetTuple(i, array.Values.data() + i * array.NumberOfComponents);
+      numbers->GetTuple(i, read.Values.data() + i * read.NumberOfComponents);
     }
   }
-  return array;
+  return read;
+}
+
+//------------------------------------------------------------------------------
+dgg::InputArray DGGReadArray(vtkFieldData* data, const std::string& name)
+{
+  return DGGReadArray(data && !name.empty() ? data->GetAbstractArray(name.c_str()) : nullptr, name);
 }

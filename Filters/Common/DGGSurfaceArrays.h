@@ -56,8 +56,12 @@ VTKDGGFILTERSCOMMON_EXPORT std::function<const dgg::SurfaceArrays&()> DGGConvert
 VTKDGGFILTERSCOMMON_EXPORT dgg::Status DGGCheckPointArray(vtkAbstractArray* array,
   vtkPolyData* data, const std::string& where, int components, vtkDataArray*& numbers);
 
-/// Reads the array of this name. `data` may be null.
+///@{
+/// Reads an array, which may be null, or the array of this name; `data` may be null.
+VTKDGGFILTERSCOMMON_EXPORT dgg::InputArray DGGReadArray(
+  vtkAbstractArray* array, const std::string& name);
 VTKDGGFILTERSCOMMON_EXPORT dgg::InputArray DGGReadArray(
   vtkFieldData* data, const std::string& name);
+///@}
 
 #endif

@@ -3,10 +3,10 @@
 #include "vtkGeodesicDistanceAlgorithm.h"
 
 #include "DGGDistanceInternals.h"
+#include "DGGFieldInput.h"
 #include "DGGOutput.h"
 #include "DGGProperties.h"
 #include "DGGSources.h"
-#include "DGGUnreachedArray.h"
 #include "DGGWindowArrays.h"
 
 #include "dggOutput.h"

@@ -8,7 +8,6 @@
 #include "DGGMakeArray.h"
 #include "DGGProperties.h"
 #include "DGGSources.h"
-#include "DGGUnreachedArray.h"
 
 #include "dggFieldReader.h"
 #include "dggProgressPart.h"

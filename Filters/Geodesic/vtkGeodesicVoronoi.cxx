@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkGeodesicVoronoi.h"
 
+#include "DGGFieldInput.h"
 #include "DGGGraphUser.h"
 #include "DGGOutput.h"
 #include "DGGProperties.h"
 #include "DGGSources.h"
-#include "DGGUnreachedArray.h"
 
 #include "dggOutput.h"
 #include "dggPreparedSurface.h"

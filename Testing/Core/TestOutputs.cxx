@@ -6,6 +6,7 @@
 #include "dggDistanceOutput.h"
 #include "dggFieldReader.h"
 #include "dggGraphBuildTask.h"
+#include "dggInputArray.h"
 #include "dggOutput.h"
 #include "dggPathSearch.h"
 #include "dggSurfaceOutput.h"
@@ -53,6 +54,17 @@ template <typename ValueType>
 std::vector<ValueType> ToVector(const dgg::Buffer<ValueType>& values)
 {
   return { values.begin(), values.end() };
+}
+
+dgg::InputArray MakeInput(const std::vector<double>& values, int components = 1)
+{
+  dgg::InputArray array;
+  array.Name = "A";
+  array.NumberOfComponents = components;
+  array.NumberOfTuples = static_cast<Offset>(values.size()) / components;
+  array.AreNumbers = true;
+  array.Values = values;
+  return array;
 }
 
 /// Returns a unit square of two triangles, 0 1 2 and 0 2 3.
@@ -209,6 +221,7 @@ TEST(FieldReader, UsesOnlySourcesOfTheDistances)
   {
     sources.insert(sources.end(), { 0.0, distance, 0.0 });
   }
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   for (const double factor : { 1.0, 2.0 })
   {
     dgg::FieldReader reader(*surface);
@@ -217,14 +230,19 @@ TEST(FieldReader, UsesOnlySourcesOfTheDistances)
     {
       value *= factor;
     }
-    ASSERT_TRUE(Ok(reader.SetDistances(values)));
-    reader.SetSources(sources, "V");
+    ASSERT_TRUE(Ok(reader.SetDistances(MakeInput(values), nan, {})));
+    reader.SetSources(MakeInput(sources, 3));
     ASSERT_TRUE(Ok(reader.Complete(context, nullptr)));
     EXPECT_EQ(reader.GetField().HasSources(), factor == 1.0);
     EXPECT_FALSE(reader.HasFittedSources());
     EXPECT_EQ(reader.GetWarnings().empty(), factor == 1.0);
   }
   dgg::FieldReader reader(*surface);
-  EXPECT_FALSE(reader.SetDistances({ 0.0, -dgg::Infinity, 1.0, 1.0 }).IsOk());
+  const auto infinite = MakeInput({ 0.0, -dgg::Infinity, 1.0, 1.0 });
+  EXPECT_FALSE(reader.SetDistances(infinite, nan, {}).IsOk());
+  ASSERT_TRUE(Ok(reader.SetDistances(infinite, -dgg::Infinity, {})));
+  EXPECT_EQ(reader.FindRange(), (std::array<double, 2>{ { 0.0, 1.0 } }));
+  ASSERT_TRUE(Ok(reader.SetDistances(infinite, nan, MakeInput({ 0.0, 1.0, 1.0, 1.0 }))));
+  EXPECT_EQ(reader.FindRange(), (std::array<double, 2>{ { 0.0, 0.0 } }));
 }
 }

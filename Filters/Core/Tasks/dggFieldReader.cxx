@@ -3,7 +3,9 @@
 #include "dggFieldReader.h"
 
 #include "dggBlockLoop.h"
+#include "dggCounted.h"
 #include "dggFaceProfile.h"
+#include "dggInputArray.h"
 #include "dggMeshQuality.h"
 #include "dggPreparedSurface.h"
 #include "dggSourceFinding.h"
@@ -91,22 +93,31 @@ FieldReader::FieldReader(const PreparedSurface& surface)
 }
 
 //------------------------------------------------------------------------------
-Status FieldReader::SetDistances(const std::vector<double>& distances)
+Status FieldReader::SetDistances(
+  const InputArray& distances, double unreachedValue, const InputArray& marks)
 {
-  this->Distances.assign(distances.size(), Infinity);
-  for (std::size_t i = 0; i < distances.size(); ++i)
+  const bool areMarked = std::isnan(unreachedValue) && marks.Fits(distances.NumberOfTuples, 1);
+  const double unreached =
+    distances.AreFloats ? static_cast<double>(static_cast<float>(unreachedValue)) : unreachedValue;
+  this->Distances.assign(distances.Values.size(), Infinity);
+  for (std::size_t i = 0; i < this->Distances.size(); ++i)
   {
-    if (distances[i] == -Infinity)
+    const double distance = distances.Values[i];
+    if (distance == unreached || (areMarked && marks.Values[i] != 0.0))
+    {
+      continue;
+    }
+    if (distance == -Infinity)
     {
       return InvalidInput("The distance of point ", i, " is minus infinity")
         .At("DistanceArrayName", static_cast<Offset>(i))
         .Fix("Use NaN, infinity or the {UnreachedValue} for unreached points");
     }
     // The first of several points at a vertex has the id of the vertex.
-    if (!std::isnan(distances[i]) &&
+    if (!std::isnan(distance) &&
       this->Surface.GetVertex(static_cast<Offset>(i)) == static_cast<Id>(i))
     {
-      this->Distances[i] = distances[i];
+      this->Distances[i] = distance;
     }
   }
   this->Field = { &this->Surface.GetMesh(), this->Distances.data(), &this->Windows,
@@ -115,16 +126,28 @@ Status FieldReader::SetDistances(const std::vector<double>& distances)
 }
 
 //------------------------------------------------------------------------------
-void FieldReader::SetSources(const std::vector<double>& values, const std::string& name)
+void FieldReader::SetSources(const InputArray& sources)
 {
-  for (std::size_t v = 0; v < this->Distances.size(); ++v)
+  const auto size = static_cast<Offset>(this->Distances.size());
+  if (!sources.Fits(size, 3))
   {
-    this->Sources.push_back({ values[3 * v], values[3 * v + 1], values[3 * v + 2] });
+    if (sources.AreNumbers)
+    {
+      this->Warn(JoinText("The point array '", sources.Name, "' has ",
+        Counted(sources.NumberOfComponents, "component"), " and ",
+        Counted(sources.NumberOfTuples, "tuple"), ", but virtual sources need 3 components and ",
+        Counted(size, "tuple"), ". The array is ignored"));
+    }
+    return;
+  }
+  for (Offset v = 0; v < size; ++v)
+  {
+    this->Sources.push_back({ sources.Get(v, 0), sources.Get(v, 1), sources.Get(v, 2) });
   }
   if (!this->HasSourcesOfDistances())
   {
     this->Sources.clear();
-    this->Warn("The virtual sources in the point array '" + name +
+    this->Warn("The virtual sources in the point array '" + sources.Name +
       "' give other distances than the array of distances on this surface: they belong to other "
       "sources or another mesh, or are invalid. They are ignored");
   }

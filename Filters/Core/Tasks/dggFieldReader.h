@@ -18,6 +18,7 @@
 namespace dgg
 {
 class PreparedSurface;
+struct InputArray;
 struct SurfacePoint;
 struct TaskContext;
 
@@ -31,14 +32,15 @@ public:
   /// The surface must outlive this object.
   explicit FieldReader(const PreparedSurface& surface);
 
-  /// Takes a distance per point of the input; NaN and Infinity mark unreached points. Fails if a
-  /// distance is minus infinity.
-  Status SetDistances(const std::vector<double>& distances);
+  /// Takes a distance per point of the input. Points are unreached if their distance is NaN,
+  /// Infinity or `unreachedValue`; if `unreachedValue` is NaN, also where `marks`, the array of
+  /// GetUnreachedName(), is not zero. Fails if another distance is minus infinity.
+  Status SetDistances(const InputArray& distances, double unreachedValue, const InputArray& marks);
   /// Takes the windows of the distances.
   void SetWindows(EdgeWindows windows) { this->Windows = std::move(windows); }
-  /// Takes the virtual sources (three numbers per point of the input: offset, length, angle) of the
-  /// array `name`, unless they do not belong to the distances. Only used without windows.
-  void SetSources(const std::vector<double>& values, const std::string& name);
+  /// Takes the virtual sources (three numbers per point of the input: offset, length, angle), if
+  /// there are any. Warns if they do not belong to the distances. Only used without windows.
+  void SetSources(const InputArray& sources);
   /// Fits virtual sources to the distances unless there are windows or virtual sources.
   Status Complete(const TaskContext& context, const ProgressCallback& progress);
 

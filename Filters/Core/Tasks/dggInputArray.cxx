@@ -15,8 +15,7 @@ namespace dgg
 Status InputArray::CheckPoints(
   const std::string& where, Offset numberOfPoints, int components) const
 {
-  if (this->AreNumbers && (components == 0 || this->NumberOfComponents == components) &&
-    this->NumberOfTuples == numberOfPoints)
+  if (this->Fits(numberOfPoints, components))
   {
     return Status::Success();
   }

@@ -24,6 +24,7 @@ struct DGG_CORE_EXPORT InputArray
   int NumberOfComponents = 0;
   Offset NumberOfTuples = 0;
   bool AreNumbers = false;
+  bool AreFloats = false;     ///< stored in single precision
   bool AreBytes = false;      ///< unsigned bytes: colors from 0 to 255
   std::vector<double> Values; ///< tuple by tuple; empty unless numbers
 
@@ -33,8 +34,14 @@ struct DGG_CORE_EXPORT InputArray
     return this->Values[static_cast<std::size_t>(tuple * this->NumberOfComponents + component)];
   }
 
-  /// Fails unless this is an array of numbers with a tuple per point and this number of components
-  /// (0 for any). `where` is the name of the points' data in messages.
+  /// Returns true if this is an array of numbers with a tuple per point and this number of
+  /// components (0 for any).
+  bool Fits(Offset numberOfPoints, int components) const
+  {
+    return this->AreNumbers && (components == 0 || this->NumberOfComponents == components) &&
+      this->NumberOfTuples == numberOfPoints;
+  }
+  /// Fails unless Fits(). `where` is the name of the points' data in messages.
   Status CheckPoints(const std::string& where, Offset numberOfPoints, int components) const;
   /// Like CheckPoints(), but fails if there is no such array. `property` contains its name.
   Status RequirePoints(const std::string& where, const std::string& property, Offset numberOfPoints,

@@ -4,10 +4,9 @@
 
 #include "DGGContext.h"
 #include "DGGSurfaceArrays.h"
-#include "DGGUnreachedArray.h"
 #include "DGGWindowArrays.h"
 
-#include "dggCounted.h"
+#include "dggDistanceOutput.h"
 #include "dggFieldReader.h"
 #include "dggStatus.h"
 
@@ -22,7 +21,6 @@
 
 #include <sstream>
 #include <utility>
-#include <vector>
 
 namespace
 {
@@ -122,48 +120,30 @@ dgg::Status DGGFindDistances(vtkInformation* filter, const std::string& property
 dgg::Status DGGReadField(const DGGContext& context, vtkDataArray* distances, double unreachedValue,
   const char* virtualSources, const dgg::ProgressCallback& progress, dgg::FieldReader& reader)
 {
-  vtkPolyData* surface = context.Input;
-  const std::vector<bool> isUnreached =
-    DGGFindUnreached(surface->GetPointData(), distances, unreachedValue);
-  std::vector<double> values(static_cast<std::size_t>(surface->GetNumberOfPoints()));
-  for (std::size_t i = 0; i < values.size(); ++i)
-  {
-    values[i] = !isUnreached.empty() && isUnreached[i]
-      ? dgg::Infinity
-      : distances->GetComponent(static_cast<vtkIdType>(i), 0);
-  }
-  DGG_RETURN_IF_ERROR(reader.SetDistances(values));
+  vtkPointData* data = context.Input->GetPointData();
+  const char* name = distances->GetName();
+  DGG_RETURN_IF_ERROR(reader.SetDistances(DGGReadArray(distances, DGGGetDistanceName(distances)),
+    unreachedValue, DGGReadArray(data, name ? dgg::GetUnreachedName(name) : "")));
   if (!virtualSources)
   {
     return dgg::Status::Success();
   }
   dgg::EdgeWindows windows;
   std::string complaint;
-  DGGWindowArrays::Find(surface->GetFieldData(), distances, context.Surface, windows, complaint);
+  DGGWindowArrays::Find(
+    context.Input->GetFieldData(), distances, context.Surface, windows, complaint);
   reader.SetWindows(std::move(windows));
   if (!complaint.empty())
   {
     reader.Warn(complaint + ". They are ignored");
   }
-  vtkDataArray* array = surface->GetPointData()->GetArray(virtualSources);
-  if (array &&
-    (array->GetNumberOfComponents() != 3 ||
-      array->GetNumberOfTuples() != surface->GetNumberOfPoints()))
-  {
-    reader.Warn(dgg::JoinText("The point array '", virtualSources, "' has ",
-      dgg::Counted(array->GetNumberOfComponents(), "component"), " and ",
-      dgg::Counted(array->GetNumberOfTuples(), "tuple"),
-      ", but virtual sources need 3 components and ",
-      dgg::Counted(surface->GetNumberOfPoints(), "tuple"), ". The array is ignored"));
-  }
-  else if (array)
-  {
-    values.resize(3 * values.size());
-    for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
-    {
-      array->GetTuple(i, values.data() + 3 * i);
-    }
-    reader.SetSources(values, virtualSources);
-  }
+  reader.SetSources(DGGReadArray(data, virtualSources));
   return reader.Complete(context, progress);
+}
+
+//------------------------------------------------------------------------------
+void DGGRemoveDistances(vtkPolyData* surface, const std::string& distances)
+{
+  surface->GetPointData()->RemoveArray(dgg::GetUnreachedName(distances).c_str());
+  DGGWindowArrays::RemoveFrom(surface->GetFieldData(), distances);
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Reads distances and the arrays that belong to them from a vtkPolyData. Internal.
+/// Distances of a vtkPolyData and the arrays that belong to them. Internal.
 #ifndef DGGFieldInput_h
 #define DGGFieldInput_h
 
@@ -32,11 +32,14 @@ std::string DGGGetDistanceName(vtkDataArray* distances);
 std::string DGGGetDistanceName(vtkInformation* filter, const std::string& property);
 ///@}
 
-/// Reads distances and the windows or virtual sources that belong to them. Points are unreached if
-/// their distance is NaN, Infinity or `unreachedValue`; if `unreachedValue` is NaN, also if an
-/// array marks them (DGGUnreachedArray.h). `virtualSources` is the name of a point array; null for
-/// a field that is linear in each face.
+/// Reads distances and the marks of unreached points, windows and virtual sources that belong to
+/// them: see dgg::FieldReader. `virtualSources` is the name of a point array; null for a field that
+/// is linear in each face.
 dgg::Status DGGReadField(const DGGContext& context, vtkDataArray* distances, double unreachedValue,
   const char* virtualSources, const dgg::ProgressCallback& progress, dgg::FieldReader& reader);
+
+/// Removes the arrays that belong to distances from a surface: marks of unreached points
+/// (dgg::AddDistances()) and windows (DGGWindowArrays).
+void DGGRemoveDistances(vtkPolyData* surface, const std::string& distances);
 
 #endif
