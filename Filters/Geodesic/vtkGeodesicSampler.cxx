@@ -6,7 +6,6 @@
 #include "DGGProperties.h"
 #include "DGGSources.h"
 
-#include "dggCounted.h"
 #include "dggOutput.h"
 #include "dggPreparedSurface.h"
 #include "dggSampleSearch.h"
@@ -15,7 +14,6 @@
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 
-#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -98,32 +96,15 @@ DGGSourceSet vtkGeodesicSampler::vtkInternals::GetStart(vtkInformationVector** i
 dgg::Status vtkGeodesicSampler::vtkInternals::MakeOptions(
   const DGGContext& context, vtkInformationVector** inputVector, dgg::SamplerOptions& options)
 {
-  const dgg::PreparedSurface& mesh = context.Surface;
   options.NumberOfSamples = this->Self->NumberOfSamples;
   options.CoveringRadius = this->Self->CoveringRadius;
-  options.InFaces = this->Self->InFaces && !mesh.IsCloud();
+  options.InFaces = this->Self->InFaces && !context.Surface.IsCloud();
   const DGGSourceSet start = this->GetStart(inputVector);
   if (!start.Points)
   {
-    const vtkIdType n = context.Input->GetNumberOfPoints();
-    if (this->Self->FirstSample < -1 || this->Self->FirstSample >= n)
-    {
-      return dgg::InvalidInput("{FirstSample} ", this->Self->FirstSample,
-        " is out of range: the input has ", dgg::Counted(n, "point"))
-        .At("FirstSample", this->Self->FirstSample)
-        .Fix("Use an id from 0 to ", n - 1, ", or -1");
-    }
-    options.FirstVertex =
-      this->Self->FirstSample < 0 ? dgg::NoId : mesh.GetVertex(this->Self->FirstSample);
-    return dgg::Status::Success();
+    return dgg::SetFirstSample(context.Surface, this->Self->FirstSample, options);
   }
-  DGG_RETURN_IF_ERROR(DGGLocate(context, start, this->Self->ProjectionTolerance, options.Given));
-  if (mesh.IsCloud()) // samples of a cloud are points of the cloud
-  {
-    std::transform(options.Given.begin(), options.Given.end(), options.Given.begin(),
-      [](const dgg::SurfacePoint& point) { return dgg::SurfacePoint::AtVertex(point.Vertex); });
-  }
-  return dgg::Status::Success();
+  return DGGLocate(context, start, this->Self->ProjectionTolerance, options.Given);
 }
 
 //------------------------------------------------------------------------------

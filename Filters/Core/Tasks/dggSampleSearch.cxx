@@ -14,10 +14,29 @@
 namespace dgg
 {
 //------------------------------------------------------------------------------
+Status SetFirstSample(const PreparedSurface& surface, Offset point, SamplerOptions& options)
+{
+  const Id n = surface.GetMeshWithoutAngles().GetNumberOfVertices();
+  if (point < -1 || point >= n)
+  {
+    return InvalidInput(
+      "{FirstSample} ", point, " is out of range: the input has ", Counted(n, "point"))
+      .At("FirstSample", point)
+      .Fix("Use an id from 0 to ", n - 1, ", or -1");
+  }
+  options.FirstVertex = point < 0 ? NoId : surface.GetVertex(point);
+  return Status::Success();
+}
+
+//------------------------------------------------------------------------------
 Status FindSamples(const TaskContext& context, GraphSession& graph, SamplerOptions options,
   std::vector<SurfaceSample>& samples)
 {
   const PreparedSurface& surface = context.Surface;
+  for (SurfacePoint& point : options.Given)
+  {
+    point = surface.IsCloud() ? SurfacePoint::AtVertex(point.Vertex) : point;
+  }
   const bool needsLinks =
     options.InFaces || !std::all_of(options.Given.begin(), options.Given.end(), IsVertex);
   DGG_RETURN_IF_ERROR(graph.PrepareBuilder(context, needsLinks));

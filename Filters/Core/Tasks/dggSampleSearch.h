@@ -11,10 +11,17 @@
 namespace dgg
 {
 class GraphSession;
+class PreparedSurface;
 struct Output;
 struct TaskContext;
 
-/// Samples the surface. `graph` must be up to date. The progress of `options` is set here.
+/// Sets the first sample: a point of the input, or -1 for an automatic one. Fails if there is no
+/// such point.
+DGG_CORE_EXPORT Status SetFirstSample(
+  const PreparedSurface& surface, Offset point, SamplerOptions& options);
+
+/// Samples the surface. `graph` must be up to date. The progress of `options` is set here. Samples
+/// of a cloud are points of the cloud: given points are moved to their vertices.
 DGG_CORE_EXPORT Status FindSamples(const TaskContext& context, GraphSession& graph,
   SamplerOptions options, std::vector<SurfaceSample>& samples);
 
