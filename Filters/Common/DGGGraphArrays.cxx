@@ -2,10 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DGGGraphArrays.h"
 
-#include "DGGIsInteger.h"
+#include "DGGArrayView.h"
 #include "DGGMakeArray.h"
 
-#include "dggCounted.h"
 #include "dggPreparedSurface.h"
 
 #include "vtkDoubleArray.h"
@@ -16,39 +15,7 @@
 
 #include <algorithm>
 
-namespace
-{
 using dgg::StoredGraph;
-
-dgg::StoredArray::ValueType GetValueType(vtkAbstractArray* array)
-{
-  if (!array->HasStandardMemoryLayout() || array->GetNumberOfComponents() != 1)
-  {
-    return dgg::StoredArray::Other;
-  }
-  const int type = array->GetDataType();
-  return type == VTK_FLOAT   ? dgg::StoredArray::Float
-    : type == VTK_DOUBLE     ? dgg::StoredArray::Double
-    : DGGIsInteger(array, 8) ? dgg::StoredArray::Int64
-    : DGGIsInteger(array, 4) ? dgg::StoredArray::Int32
-                             : dgg::StoredArray::Other;
-}
-
-dgg::StoredArray MakeStoredArray(vtkAbstractArray* array)
-{
-  dgg::StoredArray stored;
-  if (array)
-  {
-    stored.Type = GetValueType(array);
-    // Any other layout would be copied by GetVoidPointer().
-    stored.Data = array->HasStandardMemoryLayout() ? array->GetVoidPointer(0) : nullptr;
-    stored.Size = array->GetNumberOfValues();
-    stored.Description = std::string(array->GetDataTypeAsString()) + " with " +
-      dgg::Counted(array->GetNumberOfComponents(), "component");
-  }
-  return stored;
-}
-}
 
 //------------------------------------------------------------------------------
 bool DGGGraphArrays::Entry::operator==(const Entry& other) const
@@ -151,7 +118,7 @@ bool DGGGraphArrays::AreOfCloud(vtkFieldData* data)
 {
   return data &&
     StoredGraph::IsOfCloud(
-      MakeStoredArray(data->GetAbstractArray(StoredGraph::GetName(StoredGraph::Info))));
+      DGGViewArray(data->GetAbstractArray(StoredGraph::GetName(StoredGraph::Info))));
 }
 
 //------------------------------------------------------------------------------
@@ -205,7 +172,7 @@ bool DGGGraphArrays::Find(
     StoredGraph::Arrays arrays;
     for (int role = 0; role < StoredGraph::NumberOfRoles; ++role)
     {
-      arrays[role] = MakeStoredArray(this->Arrays[role].Array);
+      arrays[role] = DGGViewArray(this->Arrays[role].Array);
     }
     const dgg::Status status = this->Graph.Read(arrays, mesh, context.Parallel);
     this->IsGraph = status.IsOk();

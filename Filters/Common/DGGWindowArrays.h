@@ -18,18 +18,8 @@ class vtkDataArray;
 class vtkDoubleArray;
 class vtkFieldData;
 
-/// Stores the windows that belong to an array of distances in field data, and finds them there. For
-/// distances named D the arrays are
-///
-///  - `D.WindowOffsets` (int64): the windows of half-edge h are [WindowOffsets[h],
-///    WindowOffsets[h + 1]);
-///  - `D.Windows` (double, 5 components): Begin, End, ImageX, ImageY, Offset of dgg::EdgeWindow;
-///  - `D.WindowSources` (double, 5 components): face, three barycentric coordinates, Offset of
-///    dgg::FaceSource;
-///  - `D.WindowInfo` (int64, 5 values): format version, the signature of the surface, a hash of the
-///    distances, a hash of the other three arrays.
-///
-/// Found arrays are not trusted: sizes, surface, distances and all values are checked.
+/// Stores the windows that belong to an array of distances in field data, and finds them there: see
+/// dgg::StoredWindows.
 class VTKDGGFILTERSCOMMON_EXPORT DGGWindowArrays
 {
 public:

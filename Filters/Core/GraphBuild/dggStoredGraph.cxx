@@ -8,7 +8,6 @@
 #include "dggStatus.h"
 
 #include <algorithm>
-#include <cstring>
 
 namespace dgg
 {
@@ -33,21 +32,6 @@ enum InfoSlot
 };
 
 constexpr std::int64_t FormatVersion = 1;
-
-template <typename To, typename From>
-To CopyBits(From from)
-{
-  static_assert(sizeof(To) == sizeof(From), "not the same bits");
-  To to;
-  std::memcpy(&to, &from, sizeof(to));
-  return to;
-}
-
-template <typename ValueType>
-const ValueType* GetValues(const StoredArray& array)
-{
-  return static_cast<const ValueType*>(array.Data);
-}
 
 bool IsMerged(const PreparedSurface& surface)
 {
@@ -76,7 +60,7 @@ const char* StoredGraph::GetName(int role)
 bool StoredGraph::IsOfCloud(const StoredArray& info)
 {
   return info.Type == StoredArray::Int64 && info.Size > Kind &&
-    GetValues<std::int64_t>(info)[Kind] == static_cast<std::int64_t>(GraphKind::Cloud);
+    info.GetValues<std::int64_t>()[Kind] == static_cast<std::int64_t>(GraphKind::Cloud);
 }
 
 StoredGraph::StoredGraph(const GraphView& graph, const CloudBand& band)
@@ -149,7 +133,7 @@ Status StoredGraph::Check(
   DGG_RETURN_IF_ERROR(
     this->ReadSizes(arrays, surface.GetMeshWithoutAngles().GetNumberOfVertices()));
   this->Refer(arrays);
-  const auto* info = GetValues<std::int64_t>(arrays[Info]);
+  const auto* info = arrays[Info].GetValues<std::int64_t>();
   DGG_RETURN_IF_ERROR(this->CheckSurface(info, surface));
   return this->CheckContents(info, arrays[Targets].Size, parallel);
 }
@@ -189,7 +173,7 @@ Status StoredGraph::CheckTypes(const Arrays& arrays)
 
 Status StoredGraph::ReadInfo(const StoredArray& array, bool isCloud)
 {
-  const auto* info = GetValues<std::int64_t>(array);
+  const auto* info = array.GetValues<std::int64_t>();
   if (array.Size >= 1 && info[Version] != FormatVersion)
   {
     return InvalidInput("The graph on the input has the format version ", info[Version],
@@ -249,25 +233,25 @@ Status StoredGraph::ReadSizes(const Arrays& arrays, Offset numberOfPoints)
 
 void StoredGraph::Refer(const Arrays& arrays)
 {
-  this->View.Offsets = GetValues<Offset>(arrays[Offsets]);
-  this->View.Targets = GetValues<Id>(arrays[Targets]);
+  this->View.Offsets = arrays[Offsets].GetValues<Offset>();
+  this->View.Targets = arrays[Targets].GetValues<Id>();
   if (arrays[Lengths].Type == StoredArray::Float)
   {
-    this->View.Lengths = GetValues<float>(arrays[Lengths]);
+    this->View.Lengths = arrays[Lengths].GetValues<float>();
   }
   else
   {
-    this->View.WideLengths = GetValues<double>(arrays[Lengths]);
+    this->View.WideLengths = arrays[Lengths].GetValues<double>();
   }
   if (this->View.Info.Kind == GraphKind::Mesh)
   {
-    this->View.Angles = GetValues<float>(arrays[Angles]);
-    this->View.ArrivalAngles = GetValues<float>(arrays[ArrivalAngles]);
+    this->View.Angles = arrays[Angles].GetValues<float>();
+    this->View.ArrivalAngles = arrays[ArrivalAngles].GetValues<float>();
   }
   else
   {
-    this->Band = { CopyBits<double>(GetValues<std::int64_t>(arrays[Info])[VoxelSize]),
-      GetValues<double>(arrays[Radii]) };
+    this->Band = { CopyBits<double>(arrays[Info].GetValues<std::int64_t>()[VoxelSize]),
+      arrays[Radii].GetValues<double>() };
   }
 }
 

@@ -8,6 +8,7 @@
 #include "dggBuffer.h"        // for the info array
 #include "dggCoreExport.h"    // for DGG_CORE_EXPORT
 #include "dggGeodesicGraph.h" // for GraphView
+#include "dggStoredArray.h"   // for StoredArray
 
 #include <array>   // for the arrays
 #include <cstdint> // for fixed-width words
@@ -23,25 +24,6 @@ struct CloudBand
 {
   double VoxelSize = 0.0;
   const double* Radii = nullptr; ///< per point
-};
-
-/// An array of a stored graph.
-struct StoredArray
-{
-  enum ValueType
-  {
-    Missing,
-    Int32,
-    Int64,
-    Float,
-    Double,
-    Other ///< another type, several components, or not contiguous in memory
-  };
-
-  const void* Data = nullptr;
-  Offset Size = 0;
-  ValueType Type = Missing;
-  std::string Description; ///< type and number of components, for messages
 };
 
 /// A graph of a mesh or a cloud, and the arrays that store it. The contents of the arrays are
