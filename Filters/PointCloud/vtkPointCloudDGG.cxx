@@ -6,25 +6,25 @@
 
 #include "DGGGraphArrays.h"
 #include "DGGMakeArray.h"
+#include "DGGOutput.h"
 #include "DGGProperties.h"
 #include "DGGSurfaceParts.h"
 
 #include "dggCloudGraphBuilder.h"
 #include "dggCounted.h"
 #include "dggStatus.h"
+#include "dggSurfaceOutput.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
-#include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkIntArray.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
-#include <algorithm>
+#include <cstdint>
 
 vtkStandardNewMacro(vtkPointCloudDGG);
 
@@ -44,15 +44,8 @@ dgg::Status CheckNumber(const char* name, double value)
 /// Adds one vertex cell with all points.
 void AddVertices(vtkPolyData* cloud)
 {
-  const vtkIdType n = cloud->GetNumberOfPoints();
-  vtkNew<vtkCellArray> vertices;
-  vertices->AllocateExact(1, n);
-  vertices->InsertNextCell(static_cast<int>(n));
-  for (vtkIdType i = 0; i < n; ++i)
-  {
-    vertices->InsertCellPoint(i);
-  }
-  cloud->SetVerts(vertices);
+  dgg::OutputCells vertices = dgg::MakeCellOfAll(cloud->GetNumberOfPoints());
+  cloud->SetVerts(DGGMakeCells(vertices));
   cloud->GetCellData()->Initialize(); // removes arrays without tuples
 }
 }
@@ -161,15 +154,17 @@ dgg::Status vtkPointCloudDGG::vtkInternals::Execute(const DGGContext& context,
   output->ShallowCopy(context.Input);
   this->Built.AddTo(output->GetFieldData());
   this->Current = this->BuiltFindings;
-  const auto n = static_cast<std::size_t>(output->GetNumberOfPoints());
-  const auto components =
-    DGGAddArray<vtkIntArray>(output->GetPointData(), this->Self->ComponentArrayName, n);
-  std::copy(this->Components.begin(), this->Components.end(), components->GetPointer(0));
+  vtkPointData* data = output->GetPointData();
+  dgg::OutputArrays arrays;
+  arrays.AddValues<std::int32_t>(this->Self->ComponentArrayName, this->Components);
   if (source.ByPlanes && normals)
   {
-    const auto array = DGGMakeArray<vtkDoubleArray>("Normals", n, 3);
-    std::copy(normals->begin(), normals->end(), array->GetPointer(0));
-    output->GetPointData()->SetNormals(array);
+    arrays.AddValues<double>("Normals", *normals, 3);
+  }
+  DGGAddArrays(arrays, data);
+  if (source.ByPlanes && normals)
+  {
+    data->SetNormals(data->GetArray("Normals"));
   }
   if (built != this->Self->GetGraphBuildTime())
   {

@@ -129,6 +129,16 @@ void WriteVerts(std::size_t size, Output& output)
 }
 
 //------------------------------------------------------------------------------
+OutputCells MakeCellOfAll(Offset numberOfPoints)
+{
+  OutputCells cells{ Buffer<Offset>(2), Buffer<Offset>(static_cast<std::size_t>(numberOfPoints)) };
+  cells.Offsets[0] = 0;
+  cells.Offsets[1] = numberOfPoints;
+  std::iota(cells.Points.begin(), cells.Points.end(), 0);
+  return cells;
+}
+
+//------------------------------------------------------------------------------
 Offset GetOriginalPoint(const SurfacePoint& point)
 {
   return IsVertex(point) ? point.Vertex : NoId;

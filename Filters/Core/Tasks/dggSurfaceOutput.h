@@ -36,6 +36,9 @@ DGG_CORE_EXPORT void WriteSurfacePoints(
 DGG_CORE_EXPORT const double* WriteCurves(
   const TaskContext& context, const std::vector<OutputCurve>& curves, Output& output);
 
+/// Returns a cell with this number of points.
+DGG_CORE_EXPORT OutputCells MakeCellOfAll(Offset numberOfPoints);
+
 ///@{
 /// Helpers for other outputs: writes the positions (x y z) of points; writes a vert per point;
 /// returns the id of the input point at a surface point, -1 if there is none; returns the cell of

@@ -5,6 +5,7 @@
 
 #include "DGGCloudNormals.h"
 #include "DGGContext.h"
+#include "DGGSurfaceArrays.h"
 
 #include "dggBitHash.h"
 #include "dggPreparedSurface.h"
@@ -126,12 +127,7 @@ dgg::Status vtkPointCloudDGG::vtkInternals::FindNormals(
   {
     DGG_RETURN_IF_ERROR(context.Memory.Check(
       "A copy of the normals", 3.0 * sizeof(double) * points, "Use fewer points"));
-    auto copy = std::make_shared<std::vector<double>>(3 * static_cast<std::size_t>(points));
-    for (vtkIdType i = 0; i < points; ++i)
-    {
-      given->GetTuple(i, copy->data() + 3 * i);
-    }
-    normals = copy;
+    normals = std::make_shared<const std::vector<double>>(DGGReadArray(given, "").Values);
     return dgg::Status::Success();
   }
   if (!source.ByPlanes)
