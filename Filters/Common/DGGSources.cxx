@@ -21,27 +21,30 @@
 
 namespace
 {
-/// Returns an array with the given tuples of `from`. For indices that do not exist, it has
-/// `missing` if `from` has floating-point numbers, otherwise 0 or the empty string.
-vtkSmartPointer<vtkAbstractArray> PickTuples(
-  vtkAbstractArray* from, const std::vector<dgg::Offset>& tuples, double missing)
+/// Returns an array with a tuple of `from` per id: the tuple `firstTuple + id - firstId`. For ids
+/// below `firstId`, or without such a tuple, the array has `missing` if `from` has floating-point
+/// numbers, otherwise 0 or the empty string.
+template <typename Id>
+vtkSmartPointer<vtkAbstractArray> PickTuples(vtkAbstractArray* from, const std::vector<Id>& ids,
+  vtkIdType firstId, vtkIdType firstTuple, double missing)
 {
   const auto array =
     vtkSmartPointer<vtkAbstractArray>::Take(vtkAbstractArray::CreateArray(from->GetDataType()));
   array->SetName(from->GetName());
   array->SetNumberOfComponents(from->GetNumberOfComponents());
   array->CopyComponentNames(from);
-  array->SetNumberOfTuples(static_cast<vtkIdType>(tuples.size()));
+  array->SetNumberOfTuples(static_cast<vtkIdType>(ids.size()));
   if (auto* numbers = vtkDataArray::SafeDownCast(array))
   {
     const int type = numbers->GetDataType();
     numbers->Fill(type == VTK_FLOAT || type == VTK_DOUBLE ? missing : 0.0);
   }
-  for (std::size_t i = 0; i < tuples.size(); ++i)
+  for (std::size_t i = 0; i < ids.size(); ++i)
   {
-    if (tuples[i] >= 0 && tuples[i] < from->GetNumberOfTuples())
+    const vtkIdType tuple = firstTuple + ids[i] - firstId;
+    if (ids[i] >= firstId && tuple < from->GetNumberOfTuples())
     {
-      array->SetTuple(static_cast<vtkIdType>(i), tuples[i], from);
+      array->SetTuple(static_cast<vtkIdType>(i), tuple, from);
     }
   }
   return array;
@@ -177,17 +180,12 @@ void DGGPassLineArrays(vtkPolyData* data, const std::vector<dgg::Offset>& lines,
   {
     return;
   }
-  std::vector<dgg::Offset> tuples;
-  for (const dgg::Offset line : lines)
-  {
-    tuples.push_back(line < first ? -1 : data->GetNumberOfVerts() + line - first);
-  }
   for (int a = 0; a < data->GetCellData()->GetNumberOfArrays(); ++a)
   {
     vtkAbstractArray* array = data->GetCellData()->GetAbstractArray(a);
     if (!array->GetName() || !output->HasArray(array->GetName()))
     {
-      output->AddArray(PickTuples(array, tuples, 0.0));
+      output->AddArray(PickTuples(array, lines, first, data->GetNumberOfVerts(), 0.0));
     }
   }
 }
@@ -200,12 +198,7 @@ void DGGPassArrays(
   {
     return;
   }
-  const auto first = static_cast<dgg::Id>(set.Ids.size());
-  std::vector<dgg::Offset> tuples;
-  for (const dgg::Id source : nearest)
-  {
-    tuples.push_back(source < first ? -1 : set.GetPointId(source - first));
-  }
+  const auto first = static_cast<vtkIdType>(set.Ids.size());
   vtkPointData* data = set.Points->GetPointData();
   for (int k = 0; k < data->GetNumberOfArrays(); ++k)
   {
@@ -216,7 +209,8 @@ void DGGPassArrays(
       name != "vtkOriginalPointIds" && name != "Barycentric" && !output->HasArray(name.c_str()) &&
       values->GetNumberOfTuples() == set.Points->GetNumberOfPoints())
     {
-      output->AddArray(PickTuples(values, tuples, std::numeric_limits<double>::quiet_NaN()));
+      output->AddArray(
+        PickTuples(values, nearest, first, 0, std::numeric_limits<double>::quiet_NaN()));
     }
   }
 }
