@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DGGJoinedParts.h"
 
-#include "dggPieces.h"
+#include "dggSurfacePieces.h"
 #include "dggStatus.h"
 
 #include "vtkCellArray.h"
@@ -14,8 +14,8 @@
 
 #include <algorithm>
 #include <cstring>
+#include <list>
 #include <numeric>
-#include <optional>
 #include <utility>
 
 namespace
@@ -65,10 +65,22 @@ bool AreSame(vtkPolyData* a, vtkPolyData* b)
   return same;
 }
 
+/// Finds the ids of the points and cells of parts on the joined surface.
+dgg::Status NumberParts(const Parts& parts, dgg::PieceNumbering& numbering)
+{
+  std::list<DGGSurfaceArrays> copies;
+  std::vector<dgg::SurfacePiece> pieces;
+  for (const DGGSurfacePart& part : parts)
+  {
+    pieces.push_back(DGGConvertPart(part, copies.emplace_back(part.Data, true, false)));
+  }
+  return dgg::JoinSurfacePieces(pieces, numbering);
+}
+
 /// Returns the differences between an output and `whole`, the joined surface that the output was
 /// computed from.
-DGGChangedArrays FindChanges(vtkDataSetAttributes* whole, vtkDataSetAttributes* output,
-  const std::vector<dgg::Offset>& numbers)
+DGGChangedArrays FindChanges(
+  vtkDataSetAttributes* whole, vtkDataSetAttributes* output, const std::vector<dgg::Offset>& ids)
 {
   DGGChangedArrays changes;
   for (int i = 0; i < whole->GetNumberOfArrays(); ++i)
@@ -92,10 +104,10 @@ DGGChangedArrays FindChanges(vtkDataSetAttributes* whole, vtkDataSetAttributes* 
     some->SetName(array->GetName());
     some->SetNumberOfComponents(array->GetNumberOfComponents());
     some->CopyComponentNames(array);
-    some->SetNumberOfTuples(static_cast<vtkIdType>(numbers.size()));
-    for (std::size_t k = 0; k < numbers.size(); ++k)
+    some->SetNumberOfTuples(static_cast<vtkIdType>(ids.size()));
+    for (std::size_t k = 0; k < ids.size(); ++k)
     {
-      some->SetTuple(static_cast<vtkIdType>(k), numbers[k], array);
+      some->SetTuple(static_cast<vtkIdType>(k), ids[k], array);
     }
     changes.Added.push_back(some);
   }
@@ -131,7 +143,7 @@ void ApplyChanges(const DGGChangedArrays& changes, vtkDataSetAttributes* data)
 //------------------------------------------------------------------------------
 dgg::Status DGGJoinedParts::Join(const Parts& parts)
 {
-  this->Numbers.assign(parts.size(), {});
+  this->Ids.assign(parts.size(), {});
   this->Whole = vtkSmartPointer<vtkPolyData>::New();
   std::vector<std::size_t> order(parts.size());
   std::iota(order.begin(), order.end(), 0);
@@ -158,31 +170,28 @@ dgg::Status DGGJoinedParts::Join(const Parts& parts)
     }
     for (const std::size_t p : used)
     {
-      this->Numbers[p] = dgg::PieceNumbering::Identity(
+      this->Ids[p] = dgg::PieceIds::MakeIdentity(
         parts[p].Data->GetNumberOfPoints(), parts[p].Data->GetNumberOfCells());
     }
   }
   else
   {
     Parts some;
-    std::vector<dgg::Piece> pieces;
-    std::vector<std::optional<DGGSurfaceArrays>> copies(used.size());
     for (const std::size_t p : used)
     {
       some.push_back(parts[p]);
-      pieces.push_back(DGGConvertPart(parts[p], copies[pieces.size()]));
     }
     dgg::PieceNumbering numbering;
-    DGG_RETURN_IF_ERROR(dgg::JoinPieces(pieces, numbering));
+    DGG_RETURN_IF_ERROR(NumberParts(some, numbering));
     this->Whole = DGGAssembleParts(some, numbering);
     for (std::size_t k = 0; k < used.size(); ++k)
     {
-      this->Numbers[used[k]] = std::move(numbering.Pieces[k]);
+      this->Ids[used[k]] = std::move(numbering.Pieces[k]);
     }
   }
   for (std::size_t p = 0; p < parts.size(); ++p)
   {
-    this->Numbers[p] = this->Numbers[first[p]];
+    this->Ids[p] = this->Ids[first[p]];
   }
   return dgg::Status::Success();
 }
@@ -190,9 +199,9 @@ dgg::Status DGGJoinedParts::Join(const Parts& parts)
 //------------------------------------------------------------------------------
 DGGPartResult DGGJoinedParts::MakeResult(vtkPolyData* output, std::size_t part) const
 {
-  const dgg::PieceNumbering::Numbers& numbers = this->Numbers[part];
-  return { FindChanges(this->Whole->GetPointData(), output->GetPointData(), numbers.Points),
-    FindChanges(this->Whole->GetCellData(), output->GetCellData(), numbers.Cells) };
+  const dgg::PieceIds& ids = this->Ids[part];
+  return { FindChanges(this->Whole->GetPointData(), output->GetPointData(), ids.Points),
+    FindChanges(this->Whole->GetCellData(), output->GetCellData(), ids.Cells) };
 }
 
 //------------------------------------------------------------------------------

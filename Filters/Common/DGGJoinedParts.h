@@ -31,9 +31,9 @@ struct DGGPartResult
   DGGChangedArrays Cells;
 };
 
-/// Joins parts to one surface, and transfers results on this surface to the parts. For the order of
-/// points and cells, and which are identified, see dgg::JoinPieces(). A part that another process
-/// has as well counts once. A single part is unchanged.
+/// Joins parts to one surface, and transfers results on this surface to the parts.
+/// dgg::JoinSurfacePieces() documents the order of points and cells, and which are identified. A
+/// part that another process has as well counts once. A single part is unchanged.
 class VTKDGGFILTERSCOMMON_EXPORT DGGJoinedParts
 {
 public:
@@ -48,7 +48,7 @@ public:
 
 private:
   vtkSmartPointer<vtkPolyData> Whole;
-  std::vector<dgg::PieceNumbering::Numbers> Numbers; // per part
+  std::vector<dgg::PieceIds> Ids; // per part
 };
 
 #endif

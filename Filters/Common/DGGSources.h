@@ -61,9 +61,10 @@ VTKDGGFILTERSCOMMON_EXPORT dgg::Status DGGLocate(const DGGContext& context, cons
 VTKDGGFILTERSCOMMON_EXPORT void DGGPassLineArrays(vtkPolyData* data,
   const std::vector<dgg::Offset>& lines, vtkIdType first, vtkDataSetAttributes* output);
 
-/// Adds the point arrays of the port, all of whose points must be used, to `output`; each tuple is
-/// that of the nearest source. If the nearest source is an id, or if there is none, the value is
-/// NaN, 0 or the empty string. Arrays of the output with the same names are kept.
+/// Adds the point arrays of the port to `output`; each tuple is that of the nearest source. All
+/// points of the port must be used: `PointIds` is null. If the nearest source is an id, or if there
+/// is none, the value is NaN, 0 or the empty string. Arrays of the output with the same names are
+/// kept.
 VTKDGGFILTERSCOMMON_EXPORT void DGGPassArrays(
   const DGGSourceSet& set, const std::vector<dgg::Id>& nearest, vtkDataSetAttributes* output);
 

@@ -15,6 +15,8 @@
 #include "vtkPoints.h"
 #include "vtkUnsignedCharArray.h"
 
+#include <algorithm>
+
 namespace
 {
 struct PartFinder
@@ -129,7 +131,7 @@ void AssembleCells(const std::vector<DGGSurfacePart>& parts, const dgg::PieceNum
     }
     for (std::size_t p = 0; p < parts.size(); ++p)
     {
-      firstCells[p] += DGGGetCells(parts[p].Data, kind)->GetNumberOfCells();
+      firstCells[p] += std::max<vtkIdType>(0, DGGGetCells(parts[p].Data, kind)->GetNumberOfCells());
     }
     kind == 0     ? whole->SetVerts(cells)
       : kind == 1 ? whole->SetLines(cells)
@@ -174,23 +176,21 @@ vtkCellArray* DGGGetCells(vtkPolyData* part, int kind)
 }
 
 //------------------------------------------------------------------------------
-dgg::Piece DGGConvertPart(const DGGSurfacePart& part, std::optional<DGGSurfaceArrays>& copies)
+dgg::SurfacePiece DGGConvertPart(const DGGSurfacePart& part, DGGSurfaceArrays& copies)
 {
   vtkPolyData* data = part.Data;
-  copies.emplace(data, true, false);
-  dgg::Piece piece;
+  dgg::SurfacePiece piece;
   piece.Block = part.Block;
-  piece.Points = copies->Get().Points;
-  piece.NumberOfPoints = copies->Get().NumberOfPoints;
-  piece.AreFromFloats = copies->Get().AreFromFloats;
+  piece.Points = copies.Get().Points;
+  piece.NumberOfPoints = data->GetNumberOfPoints();
+  piece.AreFromFloats = copies.Get().AreFromFloats;
   for (int kind = 0; kind < dgg::NumberOfCellKinds; ++kind)
   {
-    piece.Cells[kind] = copies->ConvertCells(DGGGetCells(data, kind));
+    piece.Cells[kind] = copies.ConvertCells(DGGGetCells(data, kind));
   }
-  const vtkIdType numberOfCells = data->GetNumberOfCells();
-  piece.PointIds =
-    copies->ConvertIds(GetGlobalIds(data->GetPointData(), data->GetNumberOfPoints()));
-  piece.CellIds = copies->ConvertIds(GetGlobalIds(data->GetCellData(), numberOfCells));
+  const dgg::Offset numberOfCells = piece.GetNumberOfCells();
+  piece.PointIds = copies.ConvertIds(GetGlobalIds(data->GetPointData(), data->GetNumberOfPoints()));
+  piece.CellIds = copies.ConvertIds(GetGlobalIds(data->GetCellData(), numberOfCells));
   piece.PointFlags = GetFlags(data->GetPointGhostArray(), data->GetNumberOfPoints());
   piece.CellFlags = GetFlags(data->GetCellGhostArray(), numberOfCells);
   return piece;
@@ -209,16 +209,16 @@ vtkSmartPointer<vtkPolyData> DGGAssembleParts(
 //------------------------------------------------------------------------------
 dgg::Status DGGRemoveGhosts(vtkSmartPointer<vtkPolyData>& part)
 {
-  if (!part->GetPointGhostArray() && !part->GetCellGhostArray())
-  {
-    return dgg::Status::Success(); // nothing to convert
-  }
-  std::optional<DGGSurfaceArrays> copies;
-  const dgg::Piece piece = DGGConvertPart({ part, 0 }, copies);
-  if (!dgg::HasGhosts(piece))
+  const auto hasGhosts = [](vtkUnsignedCharArray* flags, vtkIdType size) {
+    return dgg::HasGhosts(GetFlags(flags, size), size);
+  };
+  if (!hasGhosts(part->GetPointGhostArray(), part->GetNumberOfPoints()) &&
+    !hasGhosts(part->GetCellGhostArray(), part->GetNumberOfCells()))
   {
     return dgg::Status::Success();
   }
+  DGGSurfaceArrays copies(part, false, false); // positions are not needed
+  const dgg::SurfacePiece piece = DGGConvertPart({ part, 0 }, copies);
   dgg::PieceNumbering numbering;
   DGG_RETURN_IF_ERROR(dgg::ExcludeGhosts(piece, numbering));
   auto kept = DGGAssembleParts({ { part, 0 } }, numbering);

@@ -7,13 +7,12 @@
 
 #include "DGGSurfaceArrays.h"          // for copies
 #include "vtkDGGFiltersCommonModule.h" // for the export macro
-#include "dggPieces.h"                 // for Piece
+#include "dggSurfacePieces.h"          // for SurfacePiece
 
 #include "vtkPolyData.h"     // for the parts
 #include "vtkSmartPointer.h" // for the parts
 
-#include <optional> // for copies
-#include <vector>   // for the parts
+#include <vector> // for the parts
 
 class vtkCellArray;
 class vtkDataObject;
@@ -41,9 +40,10 @@ inline bool DGGIsEmpty(vtkPolyData* part)
 /// vtkPolyData count one kind after the other.
 VTKDGGFILTERSCOMMON_EXPORT vtkCellArray* DGGGetCells(vtkPolyData* part, int kind);
 
-/// Converts a part. `copies` holds the arrays that had to be copied.
-VTKDGGFILTERSCOMMON_EXPORT dgg::Piece DGGConvertPart(
-  const DGGSurfacePart& part, std::optional<DGGSurfaceArrays>& copies);
+/// Converts a part. `copies`, made for this part, holds the arrays that had to be copied, and
+/// determines if the piece has positions.
+VTKDGGFILTERSCOMMON_EXPORT dgg::SurfacePiece DGGConvertPart(
+  const DGGSurfacePart& part, DGGSurfaceArrays& copies);
 
 /// Returns the vtkPolyData that parts form, with the arrays that all parts have.
 VTKDGGFILTERSCOMMON_EXPORT vtkSmartPointer<vtkPolyData> DGGAssembleParts(

@@ -43,12 +43,6 @@ dgg::Status ReadEnds(vtkPolyData* data, bool isNeeded, std::vector<vtkIdType>& e
     return dgg::InvalidInput("Input port 1 has points but no lines")
       .Fix("Connect the points of each pair by a line");
   }
-  if (!data->GetLines()->IsValid())
-  {
-    return dgg::InvalidInput(
-      "The offsets and the connectivity of the lines of input port 1 contradict each other")
-      .Fix("Rebuild the cell array");
-  }
   DGGSurfaceArrays arrays;
   std::vector<dgg::Offset> ids;
   DGG_RETURN_IF_ERROR(

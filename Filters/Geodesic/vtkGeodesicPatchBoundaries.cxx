@@ -133,12 +133,10 @@ dgg::Status vtkGeodesicPatchBoundaries::vtkInternals::Execute(
       .Fix("Connect polygons or lines that refer to landmarks to input port 4, or landmarks with "
            "cells to input port 2");
   }
-  if (!layout->GetPolys()->IsValid() || !layout->GetLines()->IsValid())
-  {
-    return dgg::InvalidInput("The offsets and the connectivity of the polygons or lines of the "
-                             "layout contradict each other")
-      .Fix("Rebuild the cell array");
-  }
+  DGGSurfaceArrays cells;
+  dgg::PatchLayout patches;
+  DGG_RETURN_IF_ERROR(dgg::ReadPatchLayout(
+    cells.ConvertCells(layout->GetPolys()), cells.ConvertCells(layout->GetLines()), patches));
   DGG_RETURN_IF_ERROR(this->PrepareSecondMesh(secondInput));
   const DGGContext contexts[2] = { context,
     { { this->SecondMesh.Get(), context.Memory, context.NumberOfThreads, context.Progress,
@@ -150,13 +148,9 @@ dgg::Status vtkGeodesicPatchBoundaries::vtkInternals::Execute(
     DGG_RETURN_IF_ERROR(DGGLocate(contexts[side], this->GetLandmarks(side, inputVector),
       this->Self->ProjectionTolerance, landmarks[side]));
   }
-  DGGSurfaceArrays cells;
   dgg::PatchBoundaries boundaries;
   DGG_RETURN_IF_ERROR(dgg::TracePatchBoundaries({ contexts[0].Surface.GetMesh(), landmarks[0] },
-    { contexts[1].Surface.GetMesh(), landmarks[1] },
-    dgg::ReadPatchLayout(
-      cells.ConvertCells(layout->GetPolys()), cells.ConvertCells(layout->GetLines())),
-    context.Progress, boundaries));
+    { contexts[1].Surface.GetMesh(), landmarks[1] }, patches, context.Progress, boundaries));
   return this->FillOutputs(contexts, boundaries, outputVector);
 }
 

@@ -44,7 +44,7 @@ dgg::Status CheckNumber(const char* name, double value)
 /// Adds one vertex cell with all points.
 void AddVertices(vtkPolyData* cloud)
 {
-  dgg::OutputCells vertices = dgg::MakeCellOfAll(cloud->GetNumberOfPoints());
+  dgg::OutputCells vertices = dgg::MakeCellOfAllPoints(cloud->GetNumberOfPoints());
   cloud->SetVerts(DGGMakeCells(vertices));
   cloud->GetCellData()->Initialize(); // removes arrays without tuples
 }
@@ -157,12 +157,13 @@ dgg::Status vtkPointCloudDGG::vtkInternals::Execute(const DGGContext& context,
   vtkPointData* data = output->GetPointData();
   dgg::OutputArrays arrays;
   arrays.AddValues<std::int32_t>(this->Self->ComponentArrayName, this->Components);
-  if (source.ByPlanes && normals)
+  const bool hasPlaneNormals = source.ByPlanes && normals;
+  if (hasPlaneNormals)
   {
     arrays.AddValues<double>("Normals", *normals, 3);
   }
   DGGAddArrays(arrays, data);
-  if (source.ByPlanes && normals)
+  if (hasPlaneNormals)
   {
     data->SetNormals(data->GetArray("Normals"));
   }

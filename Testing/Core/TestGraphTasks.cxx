@@ -213,7 +213,8 @@ TEST(MatrixSearch, DistancesInACloud)
   std::vector<double> values(25, dgg::Infinity);
   const dgg::MatrixEntries matrix{ values.data(), 5, true };
   const dgg::TaskContext context = world.MakeContext();
-  ASSERT_TRUE(Ok(MatrixSearch(context, session, points, points, matrix).Run(true, dgg::Infinity)));
+  ASSERT_TRUE(Ok(MatrixSearch(context, session, points, points, matrix)
+                   .Run(true, dgg::Infinity, dgg::Infinity)));
   const std::vector<std::size_t> connected = { 0, 1, 3, 4 };
   for (std::size_t k = 0; k < expected.size(); ++k)
   {
@@ -242,7 +243,7 @@ TEST(MatrixSearch, DistancesInThePlane)
         const dgg::MatrixEntries matrix{ values.data(), areRows ? others.size() : points.size(),
           areRows };
         MatrixSearch search(context, session, points, others, matrix);
-        ASSERT_TRUE(Ok(search.Run(isSymmetric, limit)));
+        ASSERT_TRUE(Ok(search.Run(isSymmetric, limit, dgg::Infinity)));
         for (std::size_t i = 0; i < points.size(); ++i)
         {
           for (std::size_t j = 0; j < others.size(); ++j)

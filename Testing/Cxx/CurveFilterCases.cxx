@@ -155,7 +155,7 @@ std::vector<Refusal> RefusePath()
           pairs->SetLines(MakeContradictoryCells());
           f->SetPairData(pairs);
         },
-        { "lines of input port 1", "contradict" }),
+        { "cells of input port 1", "contradict" }),
     };
 }
 

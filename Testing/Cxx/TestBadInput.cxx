@@ -86,7 +86,7 @@ TEST_F(BadInput, SurfacesThatAreRefused)
     vtkSmartPointer<vtkPolyData> Surface;
     std::vector<std::string> Parts;
   } cases[] = {
-    { MakeSurface(points, { { 0, 1, 2 }, { 0, 1, 3 } }), { "cell 1 ", "point 3,", "3 points" } },
+    { MakeSurface(points, { { 0, 1, 2 }, { 0, 1, 3 } }), { "cell 1 ", "point 3,", "points is 3" } },
     { MakeSurface(points, { { 0, -5, 2 } }), { "cell 0 ", "point -5," } },
     { mixed, { "cell 4 ", "point 77," } },
     { contradictory, { "contradict" } },

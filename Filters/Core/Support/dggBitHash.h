@@ -9,6 +9,7 @@
 #include <array>           // for the lanes
 #include <cstddef>         // for std::size_t
 #include <cstdint>         // for the words
+#include <cstring>         // for std::memcpy
 
 namespace dgg
 {
@@ -40,6 +41,16 @@ private:
   State Lanes{ { 0x243f6a8885a308d3u, 0x13198a2e03707344u, 0xa4093822299f31d0u,
     0x082efa98ec4e6c89u } };
 };
+
+/// Returns a number of another type with the same bits.
+template <typename To, typename From>
+To CopyBits(From from)
+{
+  static_assert(sizeof(To) == sizeof(From), "not the same bits");
+  To to;
+  std::memcpy(&to, &from, sizeof(to));
+  return to;
+}
 }
 
 #endif

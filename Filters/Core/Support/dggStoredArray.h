@@ -7,8 +7,7 @@
 
 #include "dggTypes.h" // for Offset
 
-#include <cstring> // for std::memcpy
-#include <string>  // for messages
+#include <string> // for messages
 
 namespace dgg
 {
@@ -36,16 +35,6 @@ struct StoredArray
     return static_cast<const Value*>(this->Data);
   }
 };
-
-/// Returns a number of another type with the same bits.
-template <typename To, typename From>
-To CopyBits(From from)
-{
-  static_assert(sizeof(To) == sizeof(From), "not the same bits");
-  To to;
-  std::memcpy(&to, &from, sizeof(to));
-  return to;
-}
 }
 
 #endif

@@ -23,9 +23,12 @@ struct DGG_CORE_EXPORT CellArrays
   /// Returns the cell that contains `Ids[i]`.
   Offset FindCell(Offset i) const;
 
-  /// Returns an error if the offsets do not divide the ids, or a point id is out of range.
-  /// `firstCell` is the id of cell 0 in messages, and `owner` the name of what has the points.
+  ///@{
+  /// Returns an error if the offsets do not divide the ids, or if a point id is out of range.
+  /// `firstCell` is the id of cell 0, and `owner` the name of the dataset, in messages.
+  Status CheckOffsets(const char* owner) const;
   Status Check(Offset firstCell, Offset numberOfPoints, const char* owner) const;
+  ///@}
 };
 }
 

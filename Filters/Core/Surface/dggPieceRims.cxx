@@ -32,7 +32,7 @@ void AddEdge(Offset a, Offset b, std::vector<Edge>& edges)
 }
 
 /// Returns the edges with a single face. The points of the piece are numbered from `first` on.
-std::vector<Edge> FindRim(const Piece& piece, Id first)
+std::vector<Edge> FindRim(const SurfacePiece& piece, Id first)
 {
   std::vector<Edge> edges;
   const CellArrays& polygons = piece.Cells[2];
@@ -47,7 +47,7 @@ std::vector<Edge> FindRim(const Piece& piece, Id first)
   const CellArrays& strips = piece.Cells[3];
   for (Offset i = 0; i < strips.NumberOfCells; ++i)
   {
-    for (const Offset* id = strips.Begin(i); id + 2 < strips.End(i); ++id)
+    for (const Offset* id = strips.Begin(i); strips.End(i) - id > 2; ++id)
     {
       AddEdge(id[0], id[1], edges);
       AddEdge(id[1], id[2], edges);
@@ -93,7 +93,7 @@ struct RimPoint
   }
 };
 
-/// Sets `Common` of the points of one block, the first of which is `begin` at positions[0].
+/// Sets `Common` of the points from index `begin` on: those of one block, at the given positions.
 void FindCommon(std::vector<RimPoint>& points, std::size_t begin,
   const std::vector<double>& positions, double rounding)
 {
@@ -125,8 +125,8 @@ struct RimEdge
   }
 };
 
-/// Calls `join(begin, end)` for each run of elements with the same `Common` if all of them belong
-/// to different pieces.
+/// Sorts the elements and calls `join(begin, end)` for each run of elements with the same `Common`
+/// if all of them belong to different pieces.
 template <typename Element, typename Join>
 void ForRunsOfDifferentPieces(std::vector<Element>& elements, Join&& join)
 {
@@ -146,8 +146,8 @@ void ForRunsOfDifferentPieces(std::vector<Element>& elements, Join&& join)
 }
 
 /// Returns the points of all rims, block by block.
-std::vector<RimPoint> CollectPoints(
-  const std::vector<Piece>& pieces, const std::vector<std::vector<Edge>>& rims, double rounding)
+std::vector<RimPoint> CollectPoints(const std::vector<SurfacePiece>& pieces,
+  const std::vector<std::vector<Edge>>& rims, double rounding)
 {
   std::vector<RimPoint> points;
   std::vector<double> positions; // of the points of the last block
@@ -164,7 +164,7 @@ std::vector<RimPoint> CollectPoints(
     for (const Id id : FindEnds(rims[p]))
     {
       const Point3 x = PointAt(pieces[p].Points, id - first);
-      if (IsFinite(x)) // other points are never joined, and reported as an error later
+      if (IsFinite(x)) // other points are never joined; an error about them follows
       {
         points.push_back({ p, id, NoId });
         positions.insert(positions.end(), { x.X, x.Y, x.Z });
@@ -175,20 +175,41 @@ std::vector<RimPoint> CollectPoints(
   FindCommon(points, begin, positions, rounding);
   return points;
 }
+
+/// Returns the edges of all rims. `common` has the position of each point.
+std::vector<RimEdge> CollectEdges(
+  const std::vector<std::vector<Edge>>& rims, const std::vector<Id>& common)
+{
+  std::vector<RimEdge> edges;
+  for (std::size_t p = 0; p < rims.size(); ++p)
+  {
+    for (const Edge& edge : rims[p])
+    {
+      const bool isOrdered = common[edge[0]] <= common[edge[1]];
+      const Edge ends{ { edge[isOrdered ? 0 : 1], edge[isOrdered ? 1 : 0] } };
+      const Edge at{ { common[ends[0]], common[ends[1]] } };
+      if (at[0] != NoId && at[0] != at[1])
+      {
+        edges.push_back({ at, p, ends });
+      }
+    }
+  }
+  return edges;
+}
 }
 
 //------------------------------------------------------------------------------
-void JoinRims(const std::vector<Piece>& pieces, DisjointSets& points)
+void JoinRims(const std::vector<SurfacePiece>& pieces, DisjointSets& points)
 {
   std::vector<std::vector<Edge>> rims;
   Id count = 0;
-  for (const Piece& piece : pieces)
+  for (const SurfacePiece& piece : pieces)
   {
     rims.push_back(FindRim(piece, count));
     count += static_cast<Id>(piece.NumberOfPoints);
   }
   const bool areFloats = std::all_of(pieces.begin(), pieces.end(),
-    [](const Piece& piece) { return piece.AreFromFloats || piece.NumberOfPoints == 0; });
+    [](const SurfacePiece& piece) { return piece.AreFromFloats || piece.NumberOfPoints == 0; });
   std::vector<RimPoint> rimPoints =
     CollectPoints(pieces, rims, areFloats ? FloatRounding : DoubleRounding);
   std::vector<Id> common(static_cast<std::size_t>(count), NoId); // per point
@@ -203,20 +224,7 @@ void JoinRims(const std::vector<Piece>& pieces, DisjointSets& points)
     }
   });
 
-  std::vector<RimEdge> edges;
-  for (std::size_t p = 0; p < pieces.size(); ++p)
-  {
-    for (const Edge& edge : rims[p])
-    {
-      const bool isOrdered = common[edge[0]] <= common[edge[1]];
-      const Edge ends{ { edge[isOrdered ? 0 : 1], edge[isOrdered ? 1 : 0] } };
-      const Edge at{ { common[ends[0]], common[ends[1]] } };
-      if (at[0] != NoId && at[0] != at[1])
-      {
-        edges.push_back({ at, p, ends });
-      }
-    }
-  }
+  std::vector<RimEdge> edges = CollectEdges(rims, common);
   ForRunsOfDifferentPieces(edges, [&](auto begin, auto end) {
     for (auto edge = begin + 1; edge != end; ++edge)
     {

@@ -5,14 +5,14 @@
 #ifndef dggPieceRims_h
 #define dggPieceRims_h
 
-#include "dggDisjointSets.h" // for the sets of points
-#include "dggPieces.h"       // for Piece
+#include "dggDisjointSets.h"  // for the sets of points
+#include "dggSurfacePieces.h" // for SurfacePiece
 
 namespace dgg
 {
 /// Joins points that have the same position on the boundaries of different pieces, see
-/// JoinPieces(). Ids in `points` count the points of all pieces in succession.
-void JoinRims(const std::vector<Piece>& pieces, DisjointSets& points);
+/// JoinSurfacePieces(). Ids in `points` count the points of all pieces in succession.
+void JoinRims(const std::vector<SurfacePiece>& pieces, DisjointSets& points);
 }
 
 #endif

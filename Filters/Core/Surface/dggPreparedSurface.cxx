@@ -167,7 +167,7 @@ Status PreparedSurface::Build(const SurfaceArrays& input)
 Status PreparedSurface::CheckCells(const CellArrays& cells, Offset firstCell, bool areFinite) const
 {
   const auto n = static_cast<Offset>(this->Positions.size() / 3);
-  DGG_RETURN_IF_ERROR(cells.Check(firstCell, n, "input"));
+  DGG_RETURN_IF_ERROR(cells.Check(firstCell, n, "the input"));
   const Offset* end = cells.Ids + cells.NumberOfIds;
   const Offset* wrong = areFinite ? end : std::find_if(cells.Ids, end, [this](Offset id) {
     return !IsFinite(PointAt(this->Positions.data(), static_cast<Id>(id)));

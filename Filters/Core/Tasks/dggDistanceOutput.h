@@ -44,7 +44,7 @@ struct DistanceResults
 };
 
 /// Results, their sources and what is requested. Vertices farther than MaximumDistance may be left
-/// unreached. The components of `Arrays`, which are declared, are to be filled.
+/// unreached. The caller declares `Arrays`; the computation fills their components.
 struct DistanceTask : public DistanceResults
 {
   const std::vector<GeodesicSource>& Sources; ///< at least one

@@ -39,7 +39,8 @@ public:
   /// Takes the windows of the distances.
   void SetWindows(EdgeWindows windows) { this->Windows = std::move(windows); }
   /// Takes the virtual sources (three numbers per point of the input: offset, length, angle), if
-  /// there are any. Warns if they do not belong to the distances. Only used without windows.
+  /// there are any. Warns about virtual sources of another size or of other distances; they are
+  /// ignored. Only used without windows.
   void SetSources(const InputArray& sources);
   /// Fits virtual sources to the distances unless there are windows or virtual sources.
   Status Complete(const TaskContext& context, const ProgressCallback& progress);

@@ -110,6 +110,7 @@ struct CurveReader
 //------------------------------------------------------------------------------
 Status CurveReader::Read()
 {
+  DGG_RETURN_IF_ERROR(this->Input.Lines.CheckOffsets("input port 1"));
   for (Offset line = 0; line < this->Input.Lines.NumberOfCells; ++line)
   {
     DGG_RETURN_IF_ERROR(this->AddLine(line));

@@ -50,8 +50,8 @@ public:
     const Points& targets, const MatrixEntries& distances);
 
   /// Finds all distances. With `symmetric`, targets and sources are the same points: one half is
-  /// searched and mirrored. Distances without a path or above `radius` become `unreachedValue`.
-  Status Run(bool symmetric, double radius, double unreachedValue = Infinity);
+  /// searched and mirrored. Entries without a path or above `radius` become `unreachedValue`.
+  Status Run(bool symmetric, double radius, double unreachedValue);
 
 private:
   template <typename EntryType>

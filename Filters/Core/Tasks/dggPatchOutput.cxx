@@ -27,9 +27,10 @@ std::vector<Id> ReadCell(const CellArrays& cells, Offset cell)
 }
 
 //------------------------------------------------------------------------------
-PatchLayout ReadPatchLayout(const CellArrays& polygons, const CellArrays& lines)
+Status ReadPatchLayout(const CellArrays& polygons, const CellArrays& lines, PatchLayout& layout)
 {
-  PatchLayout layout;
+  DGG_RETURN_IF_ERROR(polygons.CheckOffsets("the layout"));
+  DGG_RETURN_IF_ERROR(lines.CheckOffsets("the layout"));
   for (Offset c = 0; c < polygons.NumberOfCells; ++c)
   {
     layout.Patches.push_back(ReadCell(polygons, c));
@@ -42,7 +43,7 @@ PatchLayout ReadPatchLayout(const CellArrays& polygons, const CellArrays& lines)
       layout.Edges.push_back({ { line[i], line[i + 1] } });
     }
   }
-  return layout;
+  return Status::Success();
 }
 
 //------------------------------------------------------------------------------

@@ -14,9 +14,11 @@ struct CellArrays;
 struct Output;
 struct TaskContext;
 
-/// Returns the layout whose patches are polygons and whose edges are the segments of lines; the
-/// point ids of the cells are indices of landmarks. Indices out of the range of Id become NoId.
-DGG_CORE_EXPORT PatchLayout ReadPatchLayout(const CellArrays& polygons, const CellArrays& lines);
+/// Reads a layout whose patches are polygons and whose edges are the segments of lines; the point
+/// ids of the cells are indices of landmarks. Indices out of the range of Id become NoId. Fails if
+/// offsets and ids contradict each other.
+DGG_CORE_EXPORT Status ReadPatchLayout(
+  const CellArrays& polygons, const CellArrays& lines, PatchLayout& layout);
 
 /// Writes the curves on one of the two surfaces, with the cell arrays `LayoutEdge` (the landmarks
 /// that are joined) and `Length` and the point array `ArcFraction`. The context belongs to

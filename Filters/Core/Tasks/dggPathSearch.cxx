@@ -241,6 +241,7 @@ Status PathSearch::RunExact(Paths& paths) const
 //------------------------------------------------------------------------------
 Status ReadPathEnds(const CellArrays& lines, Offset numberOfPoints, std::vector<Offset>& ends)
 {
+  DGG_RETURN_IF_ERROR(lines.CheckOffsets("input port 1"));
   for (Offset i = 0; i < lines.NumberOfCells; ++i)
   {
     const Offset begin = lines.Offsets[i];

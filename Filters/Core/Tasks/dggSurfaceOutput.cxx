@@ -129,7 +129,7 @@ void WriteVerts(std::size_t size, Output& output)
 }
 
 //------------------------------------------------------------------------------
-OutputCells MakeCellOfAll(Offset numberOfPoints)
+OutputCells MakeCellOfAllPoints(Offset numberOfPoints)
 {
   OutputCells cells{ Buffer<Offset>(2), Buffer<Offset>(static_cast<std::size_t>(numberOfPoints)) };
   cells.Offsets[0] = 0;

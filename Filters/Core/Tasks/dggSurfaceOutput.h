@@ -36,8 +36,8 @@ DGG_CORE_EXPORT void WriteSurfacePoints(
 DGG_CORE_EXPORT const double* WriteCurves(
   const TaskContext& context, const std::vector<OutputCurve>& curves, Output& output);
 
-/// Returns a cell with this number of points.
-DGG_CORE_EXPORT OutputCells MakeCellOfAll(Offset numberOfPoints);
+/// Returns one cell with the points 0 to `numberOfPoints` - 1.
+DGG_CORE_EXPORT OutputCells MakeCellOfAllPoints(Offset numberOfPoints);
 
 ///@{
 /// Helpers for other outputs: writes the positions (x y z) of points; writes a vert per point;

@@ -36,6 +36,8 @@ void Add(BitHash& hash, const StoredArray& array)
   hash.Add(array.GetValues<Value>(), static_cast<std::size_t>(array.Size));
 }
 
+/// Returns the values of WindowInfo: format version, signature of the surface, hashes of distances
+/// and windows.
 InfoValues MakeInfo(const StoredWindows::Arrays& arrays, const double* distances,
   std::size_t numberOfDistances, const PreparedSurface& surface)
 {

@@ -8,6 +8,7 @@
 #include "dggBuffer.h"      // for the arrays
 #include "dggCoreExport.h"  // for DGG_CORE_EXPORT
 #include "dggEdgeWindows.h" // for EdgeWindows
+#include "dggStatus.h"      // for Status
 #include "dggStoredArray.h" // for StoredArray
 
 #include <array>   // for the arrays

@@ -19,6 +19,7 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
+#include <cmath>
 #include <sstream>
 #include <utility>
 
@@ -122,8 +123,9 @@ dgg::Status DGGReadField(const DGGContext& context, vtkDataArray* distances, dou
 {
   vtkPointData* data = context.Input->GetPointData();
   const char* name = distances->GetName();
-  DGG_RETURN_IF_ERROR(reader.SetDistances(DGGReadArray(distances, DGGGetDistanceName(distances)),
-    unreachedValue, DGGReadArray(data, name ? dgg::GetUnreachedName(name) : "")));
+  const bool useMarks = name && std::isnan(unreachedValue);
+  DGG_RETURN_IF_ERROR(reader.SetDistances(DGGReadArray(distances, ""), unreachedValue,
+    DGGReadArray(data, useMarks ? dgg::GetUnreachedName(name) : "")));
   if (!virtualSources)
   {
     return dgg::Status::Success();

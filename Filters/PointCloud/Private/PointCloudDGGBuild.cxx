@@ -3,11 +3,11 @@
 // vtkPointCloudDGG: how graphs are built, kept and predicted.
 #include "PointCloudDGGInternals.h"
 
-#include "DGGCloudNormals.h"
 #include "DGGContext.h"
 #include "DGGSurfaceArrays.h"
 
 #include "dggBitHash.h"
+#include "dggCloudNormals.h"
 #include "dggPreparedSurface.h"
 #include "dggProgressPart.h"
 
@@ -141,7 +141,7 @@ dgg::Status vtkPointCloudDGG::vtkInternals::FindNormals(
     DGG_RETURN_IF_ERROR(context.Memory.Check("Estimating normals", BytesPerNormal * points,
       "Use fewer points, or turn off {EstimateNormals}"));
     auto found = std::make_shared<std::vector<double>>();
-    DGG_RETURN_IF_ERROR(DGGEstimateNormals(context, source.NumberOfNeighbors,
+    DGG_RETURN_IF_ERROR(dgg::EstimateNormals(context, source.NumberOfNeighbors,
       dgg::ProgressPart(context.Progress, 0.0, NormalsShare), *found));
     this->PlaneNormals = found;
     this->NormalsNeighbors = source.NumberOfNeighbors;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "dggPieces.h"
+#include "dggSurfacePieces.h"
 
 #include "dggBoxTree.h"
 #include "dggDisjointSets.h"
@@ -8,6 +8,8 @@
 #include "dggPoint3.h"
 
 #include <algorithm>
+#include <cmath>
+#include <iterator>
 #include <limits>
 #include <numeric>
 #include <tuple>
@@ -17,8 +19,6 @@ namespace dgg
 {
 namespace
 {
-using Numbers = PieceNumbering::Numbers;
-
 /// Largest distance between points with the same global id, as a fraction of the diagonal:
 /// processes may round coordinates differently.
 constexpr double IdTolerance = 1e-5;
@@ -41,7 +41,7 @@ struct GlobalElement
   }
 };
 
-Point3 GetPosition(const std::vector<Piece>& pieces, const PieceElement& point)
+Point3 GetPosition(const std::vector<SurfacePiece>& pieces, const PieceElement& point)
 {
   return PointAt(pieces[point.Piece].Points, static_cast<Id>(point.Index));
 }
@@ -50,7 +50,7 @@ Point3 GetPosition(const std::vector<Piece>& pieces, const PieceElement& point)
 /// each piece in `points`. Fails if such points have different positions, which happens if each
 /// process has numbered its own points.
 Status JoinGlobalIds(
-  const std::vector<Piece>& pieces, const std::vector<Id>& first, DisjointSets& points)
+  const std::vector<SurfacePiece>& pieces, const std::vector<Id>& first, DisjointSets& points)
 {
   std::vector<GlobalElement> elements;
   Box box;
@@ -75,7 +75,7 @@ Status JoinGlobalIds(
       first[other.Piece] + static_cast<Id>(other.Index));
     const Point3 a = GetPosition(pieces, one);
     const Point3 b = GetPosition(pieces, other);
-    if (Norm(a - b) > IdTolerance * box.GetDiagonal())
+    if (std::hypot(a.X - b.X, a.Y - b.Y, a.Z - b.Z) > IdTolerance * box.GetDiagonal())
     {
       return InvalidInput("Two points have the global id ", elements[k].GlobalId, ", one at (", a.X,
         ", ", a.Y, ", ", a.Z, ") and one at (", b.X, ", ", b.Y, ", ", b.Z, ")")
@@ -88,16 +88,16 @@ Status JoinGlobalIds(
 
 /// Numbers the sets of joined points consecutively: block by block, within a block by global ids if
 /// they exist.
-void NumberPoints(const std::vector<Piece>& pieces, const std::vector<Id>& first, bool haveIds,
-  DisjointSets& points, PieceNumbering& numbering)
+void NumberPoints(const std::vector<SurfacePiece>& pieces, const std::vector<Id>& first,
+  bool haveIds, DisjointSets& points, PieceNumbering& numbering)
 {
   std::vector<GlobalElement> order; // one point of each set
   for (std::size_t p = 0; p < pieces.size(); ++p)
   {
     for (Offset i = 0; i < pieces[p].NumberOfPoints; ++i)
     {
-      const Id inAll = first[p] + static_cast<Id>(i);
-      if (points.Find(inAll) == inAll)
+      const Id idInAll = first[p] + static_cast<Id>(i);
+      if (points.Find(idInAll) == idInAll)
       {
         order.push_back({ pieces[p].Block, haveIds ? pieces[p].PointIds[i] : 0, { p, i } });
       }
@@ -133,7 +133,7 @@ std::vector<Offset> GetCorners(const CellArrays& cells, Offset i, const std::vec
 /// Numbers the cells of one kind. Cells with the same global id are joined if they have the same
 /// points; otherwise they are not, because faces of a volume have the id of the volume.
 void NumberCells(
-  const std::vector<Piece>& pieces, int kind, bool haveIds, PieceNumbering& numbering)
+  const std::vector<SurfacePiece>& pieces, int kind, bool haveIds, PieceNumbering& numbering)
 {
   std::vector<Offset> first; // id of the first cell of this kind, per piece
   std::vector<GlobalElement> order;
@@ -175,10 +175,48 @@ bool IsGhost(const unsigned char* flags, Offset i)
 {
   return flags && (flags[i] & 1) != 0;
 }
+
+/// Returns, per point, true if a cell that is not a ghost uses the point. A point without cells is
+/// owned unless it is a ghost.
+std::vector<bool> FindOwnedPoints(const SurfacePiece& piece)
+{
+  std::vector<bool> isOwned(static_cast<std::size_t>(piece.NumberOfPoints));
+  for (Offset i = 0; i < piece.NumberOfPoints; ++i)
+  {
+    isOwned[i] = !IsGhost(piece.PointFlags, i);
+  }
+  for (const bool areOwned : { false, true }) // points of both kinds of cells are owned
+  {
+    Offset cell = 0;
+    for (const CellArrays& cells : piece.Cells)
+    {
+      for (Offset i = 0; i < cells.NumberOfCells; ++i, ++cell)
+      {
+        if (IsGhost(piece.CellFlags, cell) != areOwned)
+        {
+          std::for_each(
+            cells.Begin(i), cells.End(i), [&](Offset point) { isOwned[point] = areOwned; });
+        }
+      }
+    }
+  }
+  return isOwned;
+}
+
+/// Adds an element of piece 0 to a surface if it is kept.
+void AddIf(bool isKept, std::vector<Offset>& ids, std::vector<PieceElement>& elements)
+{
+  const auto index = static_cast<Offset>(ids.size());
+  ids.push_back(isKept ? static_cast<Offset>(elements.size()) : -1);
+  if (isKept)
+  {
+    elements.push_back({ 0, index });
+  }
+}
 }
 
 //------------------------------------------------------------------------------
-Offset Piece::GetNumberOfCells() const
+Offset SurfacePiece::GetNumberOfCells() const
 {
   Offset count = 0;
   for (const CellArrays& cells : this->Cells)
@@ -189,50 +227,53 @@ Offset Piece::GetNumberOfCells() const
 }
 
 //------------------------------------------------------------------------------
-Status Piece::Check() const
+Status SurfacePiece::Check() const
 {
   Offset firstCell = 0;
   for (const CellArrays& cells : this->Cells)
   {
-    DGG_RETURN_IF_ERROR(cells.Check(firstCell, this->NumberOfPoints, "piece"));
+    DGG_RETURN_IF_ERROR(cells.Check(firstCell, this->NumberOfPoints, "a piece of the input"));
     firstCell += cells.NumberOfCells;
   }
   return Status::Success();
 }
 
 //------------------------------------------------------------------------------
-PieceNumbering::Numbers PieceNumbering::Identity(Offset numberOfPoints, Offset numberOfCells)
+PieceIds PieceIds::MakeIdentity(Offset numberOfPoints, Offset numberOfCells)
 {
-  Numbers numbers;
-  numbers.Points.resize(static_cast<std::size_t>(numberOfPoints));
-  numbers.Cells.resize(static_cast<std::size_t>(numberOfCells));
-  std::iota(numbers.Points.begin(), numbers.Points.end(), 0);
-  std::iota(numbers.Cells.begin(), numbers.Cells.end(), 0);
-  return numbers;
+  PieceIds ids;
+  ids.Points.resize(static_cast<std::size_t>(numberOfPoints));
+  ids.Cells.resize(static_cast<std::size_t>(numberOfCells));
+  std::iota(ids.Points.begin(), ids.Points.end(), 0);
+  std::iota(ids.Cells.begin(), ids.Cells.end(), 0);
+  return ids;
 }
 
 //------------------------------------------------------------------------------
-Status JoinPieces(const std::vector<Piece>& pieces, PieceNumbering& numbering)
+Status JoinSurfacePieces(const std::vector<SurfacePiece>& pieces, PieceNumbering& numbering)
 {
   numbering = PieceNumbering();
   numbering.Pieces.resize(pieces.size());
   bool havePointIds = true;
   bool haveCellIds = true;
   Offset size = 0;
+  for (const SurfacePiece& piece : pieces)
+  {
+    size += piece.NumberOfPoints;
+  }
+  if (size > std::numeric_limits<Id>::max())
+  {
+    return InvalidInput(
+      "The pieces of the input have ", size, " points, more than ", std::numeric_limits<Id>::max())
+      .Fix("Use fewer points");
+  }
   std::vector<Id> first{ 0 }; // id of the first point of each piece, counted over all pieces
-  for (const Piece& piece : pieces)
+  for (const SurfacePiece& piece : pieces)
   {
     DGG_RETURN_IF_ERROR(piece.Check());
     havePointIds = havePointIds && (piece.PointIds || piece.NumberOfPoints == 0);
     haveCellIds = haveCellIds && (piece.CellIds || piece.GetNumberOfCells() == 0);
-    size += piece.NumberOfPoints;
-    if (size > std::numeric_limits<Id>::max())
-    {
-      return InvalidInput(
-        "The pieces of the input have more than ", std::numeric_limits<Id>::max(), " points")
-        .Fix("Use fewer points");
-    }
-    first.push_back(static_cast<Id>(size));
+    first.push_back(first.back() + static_cast<Id>(piece.NumberOfPoints));
   }
   DisjointSets points(static_cast<std::size_t>(size));
   if (havePointIds)
@@ -252,61 +293,28 @@ Status JoinPieces(const std::vector<Piece>& pieces, PieceNumbering& numbering)
 }
 
 //------------------------------------------------------------------------------
-bool HasGhosts(const Piece& piece)
+bool HasGhosts(const unsigned char* flags, Offset size)
 {
-  const auto isGhost = [](unsigned char flags) { return IsGhost(&flags, 0); };
-  const unsigned char* ofPoints = piece.PointFlags;
-  const unsigned char* ofCells = piece.CellFlags;
-  return (ofPoints && std::any_of(ofPoints, ofPoints + piece.NumberOfPoints, isGhost)) ||
-    (ofCells && std::any_of(ofCells, ofCells + piece.GetNumberOfCells(), isGhost));
+  return flags &&
+    std::any_of(flags, flags + size, [](unsigned char flag) { return IsGhost(&flag, 0); });
 }
 
 //------------------------------------------------------------------------------
-Status ExcludeGhosts(const Piece& piece, PieceNumbering& numbering)
+Status ExcludeGhosts(const SurfacePiece& piece, PieceNumbering& numbering)
 {
   DGG_RETURN_IF_ERROR(piece.Check());
   numbering = PieceNumbering();
-  Numbers& numbers = numbering.Pieces.emplace_back();
-  std::vector<bool> isOwned(static_cast<std::size_t>(piece.NumberOfPoints));
-  for (Offset i = 0; i < piece.NumberOfPoints; ++i)
+  PieceIds& ids = numbering.Pieces.emplace_back();
+  for (const bool isOwned : FindOwnedPoints(piece))
   {
-    isOwned[i] = !IsGhost(piece.PointFlags, i);
-  }
-  // Points of remaining cells are kept; points that only excluded cells use are excluded.
-  for (const bool areOwned : { false, true })
-  {
-    Offset cell = 0;
-    for (const CellArrays& cells : piece.Cells)
-    {
-      for (Offset i = 0; i < cells.NumberOfCells; ++i, ++cell)
-      {
-        if (IsGhost(piece.CellFlags, cell) != areOwned)
-        {
-          std::for_each(
-            cells.Begin(i), cells.End(i), [&](Offset point) { isOwned[point] = areOwned; });
-        }
-      }
-    }
-  }
-  for (Offset i = 0; i < piece.NumberOfPoints; ++i)
-  {
-    numbers.Points.push_back(isOwned[i] ? static_cast<Offset>(numbering.Points.size()) : -1);
-    if (isOwned[i])
-    {
-      numbering.Points.push_back({ 0, i });
-    }
+    AddIf(isOwned, ids.Points, numbering.Points);
   }
   Offset cell = 0;
   for (int kind = 0; kind < NumberOfCellKinds; ++kind)
   {
     for (const Offset end = cell + piece.Cells[kind].NumberOfCells; cell < end; ++cell)
     {
-      const bool isKept = !IsGhost(piece.CellFlags, cell);
-      numbers.Cells.push_back(isKept ? static_cast<Offset>(numbering.Cells.size()) : -1);
-      if (isKept)
-      {
-        numbering.Cells.push_back({ 0, cell });
-      }
+      AddIf(!IsGhost(piece.CellFlags, cell), ids.Cells, numbering.Cells);
     }
     numbering.FirstCells[kind + 1] = static_cast<Offset>(numbering.Cells.size());
   }

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "DGGCloudNormals.h"
+#include "dggCloudNormals.h"
 
 #include "dggBlockLoop.h"
 #include "dggCloudFrame.h"
@@ -17,6 +17,8 @@
 #include <algorithm>
 #include <limits>
 
+namespace dgg
+{
 namespace
 {
 /// Number of points between two checks of the progress by a thread.
@@ -32,29 +34,29 @@ using Cloud = pcl::PointCloud<pcl::PointXYZ>;
 /// Converts the finite points to floats in the frame of the cloud, because floats have few digits
 /// and a small range. Outliers are excluded. Points far from all others do not enlarge the frame,
 /// because few digits would remain for the other points.
-dgg::Status MakeCloud(
-  const double* positions, dgg::Id numberOfPoints, std::vector<dgg::Id>& ids, Cloud::Ptr& cloud)
+Status MakeCloud(
+  const double* positions, Id numberOfPoints, std::vector<Id>& ids, Cloud::Ptr& cloud)
 {
-  const dgg::Outliers outliers(positions, numberOfPoints);
-  const dgg::Outliers far(positions, numberOfPoints, dgg::Outliers::RatioOfFar);
-  const dgg::CloudFrame frame(
-    positions, numberOfPoints, [&](const dgg::Point3& p) { return far.IsOutlier(p); });
+  const Outliers outliers(positions, numberOfPoints);
+  const Outliers far(positions, numberOfPoints, Outliers::RatioOfFar);
+  const CloudFrame frame(
+    positions, numberOfPoints, [&](const Point3& p) { return far.IsOutlier(p); });
   DGG_RETURN_IF_ERROR(frame.CheckRange());
   cloud.reset(new Cloud);
   cloud->reserve(static_cast<std::size_t>(frame.GetNumberOfPoints()));
   ids.reserve(static_cast<std::size_t>(frame.GetNumberOfPoints()));
-  for (dgg::Id v = 0; v < numberOfPoints; ++v)
+  for (Id v = 0; v < numberOfPoints; ++v)
   {
-    const dgg::Point3 point = dgg::PointAt(positions, v);
-    if (dgg::IsFinite(point) && !outliers.IsOutlier(point))
+    const Point3 point = PointAt(positions, v);
+    if (IsFinite(point) && !outliers.IsOutlier(point))
     {
-      const dgg::Point3 p = frame.ToLocal(point);
+      const Point3 p = frame.ToLocal(point);
       ids.push_back(v);
       cloud->push_back(
         pcl::PointXYZ(static_cast<float>(p.X), static_cast<float>(p.Y), static_cast<float>(p.Z)));
     }
   }
-  return dgg::Status::Success();
+  return Status::Success();
 }
 
 /// Returns true if points are collinear or coincide: any plane through the line would fit them.
@@ -83,24 +85,24 @@ bool IsLine(const Cloud& cloud, const pcl::Indices& points)
 }
 
 //------------------------------------------------------------------------------
-dgg::Status DGGEstimateNormals(const dgg::TaskContext& context, int numberOfNeighbors,
-  const dgg::ProgressCallback& progress, std::vector<double>& normals)
+Status EstimateNormals(const TaskContext& context, int numberOfNeighbors,
+  const ProgressCallback& progress, std::vector<double>& normals)
 {
   const double* positions = context.Surface.GetPositions();
-  const dgg::Id numberOfPoints = context.Surface.GetMesh().GetNumberOfVertices();
+  const Id numberOfPoints = context.Surface.GetMesh().GetNumberOfVertices();
   normals.assign(3 * static_cast<std::size_t>(numberOfPoints), 0.0);
-  std::vector<dgg::Id> ids;
+  std::vector<Id> ids;
   Cloud::Ptr cloud;
   DGG_RETURN_IF_ERROR(MakeCloud(positions, numberOfPoints, ids, cloud));
   const int count = std::min(numberOfNeighbors, static_cast<int>(ids.size()));
   if (count < FewestPoints)
   {
-    return dgg::Status::Success();
+    return Status::Success();
   }
   pcl::KdTreeFLANN<pcl::PointXYZ> tree;
   tree.setInputCloud(cloud);
-  return dgg::ForEach(ids.size(), NormalBlock, context.Parallel, progress,
-    [&](std::size_t i, const dgg::ProgressCallback&) {
+  return ForEach(ids.size(), NormalBlock, context.Parallel, progress,
+    [&](std::size_t i, const ProgressCallback&) {
       pcl::Indices found(count);
       std::vector<float> distances(count);
       tree.nearestKSearch((*cloud)[i], count, found, distances);
@@ -112,6 +114,7 @@ dgg::Status DGGEstimateNormals(const dgg::TaskContext& context, int numberOfNeig
         const Eigen::Vector3d normal = plane.head<3>().cast<double>().normalized();
         std::copy(normal.data(), normal.data() + 3, &normals[3 * static_cast<std::size_t>(ids[i])]);
       }
-      return dgg::Status::Success();
+      return Status::Success();
     });
+}
 }

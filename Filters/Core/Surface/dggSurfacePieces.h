@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// Pieces of a surface, and the numbering of the surface that they form. Internal.
-#ifndef dggPieces_h
-#define dggPieces_h
+#ifndef dggSurfacePieces_h
+#define dggSurfacePieces_h
 
 #include "dggCellArrays.h" // for CellArrays
 #include "dggCoreExport.h" // for DGG_CORE_EXPORT
@@ -18,8 +18,9 @@ namespace dgg
 /// Kinds of cells, in the order of their ids: vertices, lines, polygons, strips.
 constexpr int NumberOfCellKinds = 4;
 
-/// Points and cells of a piece: a block, a partition, or what one of several processes holds.
-struct DGG_CORE_EXPORT Piece
+/// Points and cells of a piece: a block, a partition, or the part that one of several processes
+/// holds.
+struct DGG_CORE_EXPORT SurfacePiece
 {
   int Block = 0;                  ///< pieces of different blocks are not connected
   const double* Points = nullptr; ///< x y z each
@@ -49,16 +50,21 @@ struct PieceElement
   Offset Index = -1;
 };
 
-/// Points and cells of a surface that is assembled from pieces.
-struct DGG_CORE_EXPORT PieceNumbering
+/// Ids of the points and cells of a piece on a surface; -1 for points and cells that are not on the
+/// surface.
+struct DGG_CORE_EXPORT PieceIds
 {
-  /// Ids of the points and cells of a piece on the surface; -1 for those not on the surface.
-  struct Numbers
-  {
-    std::vector<Offset> Points;
-    std::vector<Offset> Cells;
-  };
-  std::vector<Numbers> Pieces;
+  std::vector<Offset> Points;
+  std::vector<Offset> Cells;
+
+  /// Returns the ids of a piece that is the entire surface: they are unchanged.
+  static PieceIds MakeIdentity(Offset numberOfPoints, Offset numberOfCells);
+};
+
+/// Points and cells of a surface that is assembled from pieces.
+struct PieceNumbering
+{
+  std::vector<PieceIds> Pieces;
 
   ///@{
   /// For each point and cell of the surface, the first of the elements that have its id.
@@ -66,9 +72,6 @@ struct DGG_CORE_EXPORT PieceNumbering
   std::vector<PieceElement> Cells;
   ///@}
   std::array<Offset, NumberOfCellKinds + 1> FirstCells{}; ///< of each kind, on the surface
-
-  /// Returns the numbers of a piece that is the surface.
-  static Numbers Identity(Offset numberOfPoints, Offset numberOfCells);
 };
 
 /// Joins pieces, sorted by blocks, to one surface. Points of one block are identified
@@ -78,13 +81,15 @@ struct DGG_CORE_EXPORT PieceNumbering
 /// Points are numbered block by block, within a block by global ids or else piece by piece in their
 /// order. Cells are numbered in the same manner within their kind; cells with the same global id on
 /// the same points are identified.
-DGG_CORE_EXPORT Status JoinPieces(const std::vector<Piece>& pieces, PieceNumbering& numbering);
+DGG_CORE_EXPORT Status JoinSurfacePieces(
+  const std::vector<SurfacePiece>& pieces, PieceNumbering& numbering);
 
-/// Returns true if another process owns a point or cell of the piece.
-DGG_CORE_EXPORT bool HasGhosts(const Piece& piece);
+/// Returns true if another process owns one of `size` points or cells. `flags` may be null.
+DGG_CORE_EXPORT bool HasGhosts(const unsigned char* flags, Offset size);
 
 /// Excludes the cells of a piece that another process owns, and points that only these cells use.
-DGG_CORE_EXPORT Status ExcludeGhosts(const Piece& piece, PieceNumbering& numbering);
+/// Positions are not used.
+DGG_CORE_EXPORT Status ExcludeGhosts(const SurfacePiece& piece, PieceNumbering& numbering);
 }
 
 #endif
