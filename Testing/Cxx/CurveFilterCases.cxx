@@ -232,7 +232,15 @@ std::vector<Refusal> RefuseGraphics()
   return RefuseValues(&F::SetProjectionTolerance, { -1.0, NaN }, { "ProjectionTolerance" }) +
     RefuseValues(&F::SetWidth, { -1.0, NaN }, { "Width" }) +
     RefuseValues(&F::SetResultArrayName, { "", "RGB", "Component" }, { "ResultArrayName" }) +
-    std::vector<Refusal>{ RefuseMemoryLimit(1000) };
+    std::vector<Refusal>{ RefuseMemoryLimit(1000),
+      Refuse<F>(
+        [](F* f) {
+          vtkNew<vtkPolyData> broken;
+          broken->SetPoints(vtkPolyData::SafeDownCast(f->GetInputDataObject(1, 0))->GetPoints());
+          broken->SetLines(MakeContradictoryCells());
+          f->SetCurveData(broken);
+        },
+        { "cells of input port 1", "contradict" }) };
 }
 
 std::vector<Refusal> RefuseBoundaries()
