@@ -346,5 +346,21 @@ TEST(GraphEdgeTracer, WorkDoesNotGrowWithTheLengthOfTriangles)
   }
 }
 
+/// More faces than the tracer tries at first, along a planar strip one quad high.
+TEST(GraphEdgeTracer, LinesThroughThousandsOfFacesAreFound)
+{
+  const Id columns = 3000;
+  const dgg::SurfaceMesh mesh = Build(Plane(columns, 1));
+  dgg::GraphEdgeTracer tracer(mesh);
+  const double length = std::hypot(columns, 1.0);
+  Id face = dgg::NoId;
+  std::vector<dgg::EdgeCrossing> crossings;
+  ASSERT_TRUE(tracer.Trace(
+    { 0, std::atan2(1.0, columns), SurfacePoint::AtVertex(mesh.GetNumberOfVertices() - 1), length },
+    face, crossings));
+  // All inner edges, except the diagonals of the first and the last quad.
+  EXPECT_EQ(crossings.size(), 2 * static_cast<std::size_t>(columns) - 3);
+}
+
 }
 }
