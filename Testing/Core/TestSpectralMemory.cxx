@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Memory predictions of solvers: sufficient, and at most twice the measured peak.
 #include "../Benchmark/MemoryProbe.h"
+#include "GeodesicChecks.h"
 #include "GraphChecks.h"
 #include "GraphicsTestTools.h"
 #include "TestMeshes.h"
@@ -269,6 +270,25 @@ TEST(PathMemory, TheNextPathTakesNothingForEachVertex)
     const MemoryProbe probe;
     ASSERT_TRUE(find(v, mesh.Destination(*mesh.FanBegin(v))));
     EXPECT_LT(probe.GetHeapPeak(), static_cast<std::size_t>(mesh.GetNumberOfVertices()));
+  }
+}
+
+// Memory of exact solvers that keep their windows.
+
+TEST(WindowMemory, TheResidentSetStaysWithinTheEstimate)
+{
+  // Enough half-edges for several blocks of window lists, which are freed one by one.
+  const dgg::SurfaceMesh mesh = Build(Terrain(160, 0.8, 5));
+  dgg::ExactGeodesics solver(mesh);
+  dgg::ExactOptions options;
+  options.KeepWindows = true;
+  dgg::ExactResult result;
+  const MemoryProbe probe;
+  const bool isReset = probe.GetResidentPeak() < Small;
+  ASSERT_TRUE(solver.Run({ VertexSource(17) }, options, result).IsOk());
+  if (isReset && probe.GetHeapPeak() > 0) // sanitizers do not return freed memory
+  {
+    ExpectPrediction(probe.GetResidentPeak(), result.PeakMemory, 2.0, "terrain");
   }
 }
 }
