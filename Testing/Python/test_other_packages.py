@@ -23,12 +23,10 @@ PACKAGES = (
     "vedo==2026.6.*",
 )
 # Packages that these packages import.
-REQUIRED = (
-    "Pygments addict configargparse dash flask joblib matplotlib nbformat nibabel pandas".split()
-)
-REQUIRED += (
-    "pillow plotly pooch requests rich scikit-learn scooby typing-extensions werkzeug".split()
-)
+REQUIRED = """
+    Pygments addict configargparse dash flask joblib matplotlib nbformat nibabel packaging>=26.1
+    pandas pillow plotly pooch requests rich scikit-learn scooby typing-extensions werkzeug
+""".split()
 UNREACHED = "NewConnectionError|NameResolutionError|ConnectTimeout|ReadTimeout|ProxyError"
 
 
