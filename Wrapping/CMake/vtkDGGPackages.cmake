@@ -51,6 +51,11 @@ if (DGG_WITH_PCL)
     neither their names nor those of contributors may be used to endorse or promote products\n\
     derived from PCL without specific prior written permission\n")
 endif ()
+if (DGG_WITH_PYTHON_KERNEL)
+  string(APPEND dgg_others "  pybind11 (pybind11-dev): Copyright 2016 Wenzel Jakob <wenzel.jakob@epfl.ch>, and others;\n\
+    neither their names nor those of contributors may be used to endorse or promote products\n\
+    derived from pybind11 without specific prior written permission\n")
+endif ()
 file(READ "${PROJECT_SOURCE_DIR}/LICENSE" dgg_license)
 file(WRITE "${dgg_folder}/copyright" "vtkDGG, made into packages by CPack.\n\n${dgg_license}\n\
 The libraries hold compiled code of headers of Eigen and Spectra, which are under the MPL-2.0\n\

@@ -26,6 +26,9 @@ class CellCoordinates;
 /// to another surface. Other positions are moved to the closest point of the surface.
 struct DGG_CORE_EXPORT SourceCollection
 {
+  /// Usual tolerance of Locate().
+  static constexpr double DefaultTolerance = 0.01;
+
   ///@{
   /// Wording of messages.
   std::string Role;              ///< name of a point, such as "source"

@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// A discrete geodesic graph as a Python object.
+#ifndef Graph_h
+#define Graph_h
+
+#include "SessionPool.h" // for data kept between calls
+#include "Surface.h"     // for the surface
+
+#include "dggGraphSession.h" // for the sessions
+
+#include <pybind11/pybind11.h>
+
+#include <memory> // for the surface
+#include <vector> // for radii
+
+namespace dggPython
+{
+namespace py = pybind11;
+
+class Call;
+
+/// A graph of a surface or a cloud: its arrays, and the sessions of the calls that search it. Any
+/// number of threads may search simultaneously.
+class Graph
+{
+public:
+  /// A session in use, which is ready to search.
+  class Session : public SessionPool<dgg::GraphSession>::Loan
+  {
+  public:
+    explicit Session(const Graph& graph)
+      : SessionPool<dgg::GraphSession>::Loan(graph.Sessions)
+    {
+      (*this)->Start(graph.Owner->Get());
+      if (!(*this)->HasGraph())
+      {
+        (*this)->Use(graph.Prepared);
+      }
+    }
+  };
+
+  /// Takes the arrays of a graph that the call has just built.
+  static std::shared_ptr<Graph> Adopt(Call& call, const std::shared_ptr<Surface>& surface,
+    dgg::GeodesicGraph& graph, const std::vector<double>& radii = {}, double voxelSize = 0.0);
+  /// Reads stored arrays. Writable arrays are copied, so that nobody can change them.
+  static std::shared_ptr<Graph> Read(
+    Call& call, const std::shared_ptr<Surface>& surface, const py::dict& arrays);
+
+  const Surface& GetSurface() const { return *this->Owner; }
+  const py::dict& GetArrays() const { return this->Arrays; }
+  const dgg::GraphSummary& GetSummary() const { return this->Prepared->GetSummary(); }
+  /// Destroys the sessions that no call uses.
+  void Release() { this->Sessions.Clear(); }
+
+private:
+  /// Prepares the graph, whose arrays are complete.
+  void Prepare(Call& call, const dgg::StoredGraph& graph);
+
+  std::shared_ptr<Surface> Owner;
+  py::dict Arrays;
+  dgg::PreparedGraph::Pointer Prepared;
+  mutable SessionPool<dgg::GraphSession> Sessions;
+};
+
+/// A surface, and the graph of it if there is one, as the first argument of a function.
+struct SurfaceOrGraph
+{
+  SurfaceOrGraph(const py::handle& object);
+
+  const Surface& GetSurface() const { return *this->TheSurface; }
+  /// Returns the graph; throws an error without one, which `what` needs.
+  const Graph& GetGraph(const char* what) const;
+
+private:
+  std::shared_ptr<const Surface> TheSurface;
+  std::shared_ptr<const Graph> TheGraph;
+};
+}
+
+#endif

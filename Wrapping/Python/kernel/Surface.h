@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// A prepared surface or cloud as a Python object.
+#ifndef Surface_h
+#define Surface_h
+
+#include "Arrays.h"      // for the cells
+#include "SessionPool.h" // for data kept between calls
+
+#include "dggPreparedSurface.h" // for PreparedSurface
+
+#include <pybind11/pybind11.h>
+
+#include <memory>    // for pools
+#include <mutex>     // for pools
+#include <typeindex> // for kinds of pools
+#include <unordered_map>
+
+namespace dggPython
+{
+namespace py = pybind11;
+
+/// A prepared surface with its cells, and factorizations and the like that calls reuse.
+class Surface : public std::enable_shared_from_this<Surface>
+{
+public:
+  Surface(const py::handle& points, const py::handle& cells, const py::kwargs& options);
+
+  const dgg::PreparedSurface& Get() const { return *this->Prepared; }
+  /// Returns the cells, without the points.
+  const dgg::SurfaceArrays& GetCells() const { return this->Input; }
+  dgg::Offset GetNumberOfPoints() const { return this->Input.NumberOfPoints; }
+
+  /// Returns the pool of the sessions of one kind. May be called by any thread.
+  template <typename Session>
+  SessionPool<Session>& GetPool() const
+  {
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    std::unique_ptr<AnySessionPool>& pool = this->Pools[typeid(Session)];
+    if (!pool)
+    {
+      pool = std::make_unique<SessionPool<Session>>();
+    }
+    return static_cast<SessionPool<Session>&>(*pool);
+  }
+  /// Releases the sessions that no call uses.
+  void Release();
+
+private:
+  Cells Polygons;
+  Cells Strips;
+  dgg::SurfaceArrays Input;
+  dgg::PreparedSurface::Pointer Prepared;
+  mutable std::mutex Mutex;
+  mutable std::unordered_map<std::type_index, std::unique_ptr<AnySessionPool>> Pools;
+};
+}
+
+#endif
