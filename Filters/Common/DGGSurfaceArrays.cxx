@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DGGSurfaceArrays.h"
 
+#include "DGGArrayView.h"
+
 #include "vtkCellArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkTypeInt32Array.h"
-#include "vtkTypeInt64Array.h"
 #include "vtkVariant.h"
 
 #include <algorithm>
@@ -94,14 +94,15 @@ const dgg::Offset* DGGSurfaceArrays::ConvertIds(vtkDataArray* ids)
   {
     return nullptr;
   }
-  if (auto* values = vtkTypeInt64Array::FastDownCast(ids))
+  const dgg::StoredArray view = DGGViewArray(ids);
+  if (view.Type == dgg::StoredArray::Int64)
   {
-    return static_cast<const dgg::Offset*>(values->GetVoidPointer(0));
+    return view.GetValues<dgg::Offset>();
   }
-  auto& copy = this->Ids.emplace_back(static_cast<std::size_t>(ids->GetNumberOfValues()));
-  if (auto* values = vtkTypeInt32Array::FastDownCast(ids))
+  auto& copy = this->Ids.emplace_back(static_cast<std::size_t>(view.Size));
+  if (view.Type == dgg::StoredArray::Int32)
   {
-    std::copy_n(values->GetPointer(0), copy.size(), copy.begin());
+    std::copy_n(view.GetValues<vtkTypeInt32>(), copy.size(), copy.begin());
     return copy.data();
   }
   for (std::size_t i = 0; i < copy.size(); ++i)
