@@ -32,8 +32,8 @@ public:
   /// directions and meet without a large kink are straightened, shortest first, at most 256 of
   /// them. The loop has a kink at the point unless `taut`: then the loop is released at the point
   /// and shortened to a nearby closed geodesic. Paths are compared before they are straightened, so
-  /// a shorter loop may exist on rough surfaces. The result is empty if no loop is found, as on most
-  /// surfaces without a handle or a limb.
+  /// a shorter loop may exist on rough surfaces. The result is empty if no loop is found, as on
+  /// most surfaces without a handle or a limb.
   Status ThroughPoint(const SurfacePoint& point, bool taut, FoundLoop& loop,
     const ProgressCallback& progress = {}) const;
 

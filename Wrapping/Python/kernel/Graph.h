@@ -44,7 +44,7 @@ public:
   /// Takes the arrays of a graph that the call has just built.
   static std::shared_ptr<Graph> Adopt(Call& call, const std::shared_ptr<Surface>& surface,
     dgg::GeodesicGraph& graph, const std::vector<double>& radii = {}, double voxelSize = 0.0);
-  /// Reads stored arrays. Writable arrays are copied, so that nobody can change them.
+  /// Reads stored arrays. Writable arrays are copied, because callers could change them.
   static std::shared_ptr<Graph> Read(
     Call& call, const std::shared_ptr<Surface>& surface, const py::dict& arrays);
 

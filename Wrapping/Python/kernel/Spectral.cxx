@@ -275,7 +275,7 @@ py::object FindSpline(const Surface& surface, const py::object& sources, const p
   task.RightHandSide = ToInputArray(arguments.Take("right_hand_side"), "right_hand_side");
   task.SurfaceValues = ToInputArray(arguments.Take("surface_values"), "surface_values");
   task.PointValues = ToInputArray(arguments.Take("point_values"), "point_values");
-  // One name stands for both arrays, either of which may be missing.
+  // Both arrays have the same name; either may be missing.
   task.SurfaceValues.Name = task.SurfaceValues.Name + task.PointValues.Name;
   task.PointValues.Name = task.SurfaceValues.Name;
   const dgg::SourceCollection& sites = spectral.GetSources().GetCollection();

@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ThreadPool.h"
 
+#include "dggRangeQueue.h"
+
 #include <pybind11/pybind11.h>
 
 #include <algorithm>
 #include <atomic>
-#include <chrono>
 #include <condition_variable>
 #include <deque>
-#include <exception>
 #include <mutex>
 #include <string>
 #include <system_error>
@@ -21,75 +21,26 @@ namespace
 {
 constexpr int LargestNumberOfThreads = 1024;
 
-/// Interval at which the calling thread reports progress.
-constexpr std::chrono::milliseconds PollInterval(10);
-
 /// True while the thread runs ranges of a loop.
 thread_local bool IsInLoop = false;
 
 std::atomic<int> DefaultNumberOfThreads{ 0 }; // 0 for the number of processors
 
-/// Ranges of a loop. Threads take ranges in succession until none is left or one throws. The range
-/// at 0 is reserved for the calling thread.
-class Loop
+/// Marks the thread as running ranges of a loop.
+struct LoopScope
 {
-public:
-  using Body = std::function<void(dgg::Offset, dgg::Offset)>;
+  const bool WasInLoop = IsInLoop;
 
-  Loop(dgg::Offset size, dgg::Offset grain, const Body& body)
-    : Size(size)
-    , Grain(std::max<dgg::Offset>(1, grain))
-    , Function(body)
-    , Next(this->Grain)
-  {
-  }
+  LoopScope() { IsInLoop = true; }
+  ~LoopScope() { IsInLoop = this->WasInLoop; }
+  LoopScope(const LoopScope&) = delete;
+  LoopScope& operator=(const LoopScope&) = delete;
+};
 
-  dgg::Offset GetNumberOfRanges() const { return (this->Size + this->Grain - 1) / this->Grain; }
-  void RunFirst(const dgg::ProgressCallback& progress) noexcept { this->Run(0, progress); }
-  void RunOthers() noexcept { this->Run(this->Next.fetch_add(this->Grain), nullptr); }
-  void Rethrow() const
-  {
-    if (this->Thrown)
-    {
-      std::rethrow_exception(this->Thrown);
-    }
-  }
-
+struct Loop
+{
+  dgg::RangeQueue Ranges;
   int NumberOfHelpers = 0; ///< threads of the pool in this loop; guarded by the pool
-
-private:
-  void Run(dgg::Offset begin, const dgg::ProgressCallback& progress) noexcept
-  {
-    const bool wasInLoop = IsInLoop;
-    IsInLoop = true;
-    try
-    {
-      auto due = std::chrono::steady_clock::now() + PollInterval;
-      for (; begin < this->Size; begin = this->Next.fetch_add(this->Grain))
-      {
-        this->Function(begin, std::min(this->Size, begin + this->Grain));
-        if (progress && std::chrono::steady_clock::now() > due)
-        {
-          progress(0.0);
-          due = std::chrono::steady_clock::now() + PollInterval;
-        }
-      }
-    }
-    catch (...)
-    {
-      const std::lock_guard<std::mutex> lock(this->Mutex);
-      this->Thrown = this->Thrown ? this->Thrown : std::current_exception();
-      this->Next = this->Size;
-    }
-    IsInLoop = wasInLoop;
-  }
-
-  const dgg::Offset Size;
-  const dgg::Offset Grain;
-  const Body& Function;
-  std::atomic<dgg::Offset> Next;
-  std::mutex Mutex;
-  std::exception_ptr Thrown;
 };
 
 /// Threads that wait for loops. The pool and its threads exist until the process ends.
@@ -123,7 +74,7 @@ public:
       std::remove(this->Requests.begin(), this->Requests.end(), &loop), this->Requests.end());
     while (loop.NumberOfHelpers > 0)
     {
-      this->Left.wait_for(lock, PollInterval);
+      this->Left.wait_for(lock, dgg::PollInterval);
       if (progress && loop.NumberOfHelpers > 0)
       {
         lock.unlock();
@@ -144,7 +95,10 @@ private:
       this->Requests.pop_front();
       ++loop.NumberOfHelpers;
       lock.unlock();
-      loop.RunOthers();
+      {
+        const LoopScope scope;
+        loop.Ranges.RunOthers();
+      }
       lock.lock();
       --loop.NumberOfHelpers;
       this->Left.notify_all();
@@ -195,20 +149,24 @@ void ReplaceThreadPool()
 //------------------------------------------------------------------------------
 dgg::ParallelFor MakeParallelFor(int numberOfThreads, const dgg::ProgressCallback& progress)
 {
-  return [numberOfThreads, progress](dgg::Offset size, dgg::Offset grain, const Loop::Body& body) {
-    Loop loop(size, grain, body);
+  return [numberOfThreads, progress](
+           dgg::Offset size, dgg::Offset grain, const dgg::RangeQueue::LoopBody& body) {
+    Loop loop{ { size, grain, body } };
     const dgg::Offset helpers =
-      IsInLoop ? 0 : std::min<dgg::Offset>(numberOfThreads, loop.GetNumberOfRanges()) - 1;
+      IsInLoop ? 0 : std::min<dgg::Offset>(numberOfThreads, loop.Ranges.GetNumberOfRanges()) - 1;
     if (helpers > 0)
     {
       TheThreadPool->Start(loop, helpers);
     }
-    loop.RunFirst(progress);
+    {
+      const LoopScope scope;
+      loop.Ranges.RunFirst(progress);
+    }
     if (helpers > 0)
     {
       TheThreadPool->Finish(loop, progress);
     }
-    loop.Rethrow();
+    loop.Ranges.Rethrow();
   };
 }
 }
