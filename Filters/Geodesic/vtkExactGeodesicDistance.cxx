@@ -4,12 +4,10 @@
 
 #include "DGGDistanceInternals.h"
 
-#include "dggSourceFinding.h"
+#include "dggDistanceMethods.h"
+#include "dggExactGeodesics.h"
 
 #include "vtkObjectFactory.h"
-
-#include <algorithm>
-#include <utility>
 
 vtkStandardNewMacro(vtkExactGeodesicDistance);
 
@@ -42,28 +40,7 @@ void vtkExactGeodesicDistance::PrintSelf(ostream& os, vtkIndent indent)
 //------------------------------------------------------------------------------
 dgg::Status vtkExactGeodesicDistance::vtkInternals::ComputeDistances(DGGDistanceTask& task)
 {
-  dgg::ExactOptions options;
-  options.Engine =
-    this->Self->Engine == Reference ? dgg::ExactEngine::Reference : dgg::ExactEngine::Triangle;
-  options.MaximumDistance = task.MaximumDistance;
-  options.Progress = task.Context.Progress;
-  options.KeepWindows = this->Self->GenerateWindows;
-  if (options.KeepWindows)
-  {
-    // At least 1, because 0 would mean no limit.
-    options.MemoryLimit = static_cast<std::size_t>(std::max(1.0, task.Context.Memory.GetBytes()));
-  }
-
-  dgg::ExactGeodesics solver(task.Context.Surface.GetMesh());
-  dgg::ExactResult result;
-  const dgg::Status status = solver.Run(task.Sources, options, result);
-  if (status.IsOk() && task.WantVirtualSource)
-  {
-    dgg::FindVirtualSources(task.Context.Surface.GetMesh(), task.Sources, result,
-      task.VirtualSource, task.Context.Parallel);
-  }
-  task.Windows = std::move(result.Windows);
-  task.Distances = std::move(result.Distances);
-  task.NearestSource = std::move(result.NearestSource);
-  return status;
+  return dgg::FindExactDistances(task.Context,
+    this->Self->Engine == Reference ? dgg::ExactEngine::Reference : dgg::ExactEngine::Triangle,
+    this->Self->GenerateWindows, task);
 }

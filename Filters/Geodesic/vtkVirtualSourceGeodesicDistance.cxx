@@ -4,12 +4,11 @@
 
 #include "DGGDistanceInternals.h"
 
-#include "dggMeshQuality.h"
-#include "dggPropagationSession.h"
+#include "dggDistanceMethods.h"
 
 #include "vtkObjectFactory.h"
 
-#include <utility>
+#include <optional>
 
 vtkStandardNewMacro(vtkVirtualSourceGeodesicDistance);
 
@@ -57,21 +56,10 @@ const char* vtkVirtualSourceGeodesicDistance::GetQualityAsString() const
 //------------------------------------------------------------------------------
 dgg::Status vtkVirtualSourceGeodesicDistance::vtkInternals::ComputeDistances(DGGDistanceTask& task)
 {
-  dgg::PropagationOptions options;
-  options.Quality = this->Self->Quality == Automatic
-    ? dgg::PropagationSession::Choose(task.Context.Surface)
-    : this->Self->Quality == High ? dgg::PropagationQuality::High
-                                  : dgg::PropagationQuality::Fast;
-  options.MaximumDistance = task.MaximumDistance;
-  options.WantNearestSource = task.WantNearestSource;
-  options.WantVirtualSource = task.WantVirtualSource;
-  dgg::PropagationResult result;
-  DGG_RETURN_IF_ERROR(this->Propagation.Run(task.Context, task.Sources, options, result));
-  this->Self->QualityWarning = this->WarnAboutQuality(
-    dgg::JoinReasons({ dgg::DescribeLongTriangles(task.Context.Surface, dgg::LongTrianglesMislead),
-      result.IsSettled ? "" : dgg::UnsettledDistances }));
-  task.Distances = std::move(result.Distances);
-  task.NearestSource = std::move(result.NearestSource);
-  task.VirtualSource = std::move(result.Virtual);
-  return dgg::Status::Success();
+  const std::optional<dgg::PropagationQuality> qualities[] = { std::nullopt,
+    dgg::PropagationQuality::Fast, dgg::PropagationQuality::High };
+  const dgg::Status status = dgg::FindPropagatedDistances(
+    task.Context, this->Propagation, qualities[this->Self->Quality], task);
+  this->Self->QualityWarning = this->WarnAboutQuality(task.QualityWarning);
+  return status;
 }

@@ -367,6 +367,18 @@ HeatMethod::HeatMethod(const SurfaceMesh& mesh)
 
 HeatMethod::~HeatMethod() = default;
 
+Status HeatMethod::Check(const HeatOptions& options)
+{
+  if (options.TimeStepFactor >= SmallestTimeStepFactor &&
+    options.TimeStepFactor <= LargestTimeStepFactor)
+  {
+    return Status::Success();
+  }
+  return InvalidValue("TimeStepFactor", options.TimeStepFactor)
+    .Fix(
+      "Use a number from ", SmallestTimeStepFactor, " to ", LargestTimeStepFactor, ", such as 1");
+}
+
 Status HeatMethod::Prepare(const HeatOptions& options, const ProgressCallback& progress,
   const std::function<Status(double bytes)>& checkMemory)
 {

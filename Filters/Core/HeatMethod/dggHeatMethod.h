@@ -106,10 +106,13 @@ public:
   HeatMethod(const HeatMethod&) = delete;
   HeatMethod& operator=(const HeatMethod&) = delete;
 
+  /// Fails if the time step factor is out of range.
+  static Status Check(const HeatOptions& options);
+
   /// Computes triangulation, matrices and factorizations; only data affected by changed options is
   /// recomputed. `checkMemory`, which may be empty, is called with GetEstimatedMemory() before
   /// additional factorizations. After a failure or a stop, a later call resumes with the remaining
-  /// work. Fails if the time step factor is out of range.
+  /// work. Fails like Check().
   Status Prepare(const HeatOptions& options, const ProgressCallback& progress,
     const std::function<Status(double bytes)>& checkMemory = {});
   /// Returns the estimated size in bytes of all data including factorizations, at most twice the

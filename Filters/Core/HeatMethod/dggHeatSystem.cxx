@@ -69,12 +69,7 @@ HeatSystem::HeatSystem(const SurfaceMesh& mesh)
 
 Status HeatSystem::Analyze(const HeatOptions& options, const ProgressCallback& progress)
 {
-  if (!(options.TimeStepFactor >= SmallestTimeStepFactor &&
-        options.TimeStepFactor <= LargestTimeStepFactor))
-  {
-    return InvalidValue("TimeStepFactor", options.TimeStepFactor)
-      .Fix("Use a number from ", SmallestTimeStepFactor, " to ", LargestTimeStepFactor);
-  }
+  DGG_RETURN_IF_ERROR(HeatMethod::Check(options));
   if (this->IsAnalyzed && this->Options.IntrinsicDelaunay == options.IntrinsicDelaunay)
   {
     this->Options = options;

@@ -41,6 +41,8 @@ struct DistanceResults
   /// Requires that points and vertices of the surface coincide.
   bool IsSparse = false;
   std::vector<Id> Vertices; ///< each once; all other vertices are unreached
+
+  std::string QualityWarning; ///< reasons why distances may be far off; empty without
 };
 
 /// Results, their sources and what is requested. Vertices farther than MaximumDistance may be left

@@ -63,18 +63,22 @@ void Distances::RequestUpperBound(const std::string& name)
 }
 
 //------------------------------------------------------------------------------
-py::object Distances::Run(Call& call, const Surface& surface, const Step& step)
+py::object Distances::Run(Call& call, const Surface& surface, const char* what, const Step& step)
 {
   dgg::Output output;
-  call.Run([&] { return this->Compute(call.MakeContext(surface), step, output); });
+  call.Run([&] { return this->Compute(call.MakeContext(surface), what, step, output); });
   return ToPython(output);
 }
 
 //------------------------------------------------------------------------------
 dgg::Status Distances::Compute(
-  const dgg::TaskContext& context, const Step& step, dgg::Output& output) const
+  const dgg::TaskContext& context, const char* what, const Step& step, dgg::Output& output) const
 {
   const dgg::PreparedSurface& surface = context.Surface;
+  if (what)
+  {
+    DGG_RETURN_IF_ERROR(RequireSurface(surface, what));
+  }
   if (this->WantVirtualSource)
   {
     DGG_RETURN_IF_ERROR(RequireSurface(surface, "Virtual sources"));
@@ -87,7 +91,11 @@ dgg::Status Distances::Compute(
   task.WantNearestSource = this->WantNearestSource;
   task.WantVirtualSource = this->WantVirtualSource;
   task.MayBeSparse = surface.GetNumberOfMergedPoints() == 0;
-  DGG_RETURN_IF_ERROR(step(context, task, output.Warnings));
+  DGG_RETURN_IF_ERROR(step(context, task));
+  if (!task.QualityWarning.empty())
+  {
+    output.Warnings.push_back(task.QualityWarning);
+  }
 
   const std::vector<bool> isReached = dgg::FindReached(surface, task);
   const dgg::DistanceNames names{ this->Names.Distance,

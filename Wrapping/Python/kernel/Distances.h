@@ -56,21 +56,21 @@ constexpr const char* VirtualSourceName = "GeodesicVirtualSource";
 class Distances
 {
 public:
-  /// Computes the distances of a task. `warnings` receives reasons for inaccurate results.
-  using Step = std::function<dgg::Status(
-    const dgg::TaskContext& context, dgg::DistanceTask& task, std::vector<std::string>& warnings)>;
+  /// Computes the distances of a task.
+  using Step = std::function<dgg::Status(const dgg::TaskContext& context, dgg::DistanceTask& task)>;
 
   Distances(const py::handle& sources, Arguments& arguments);
 
   /// Requests an array of upper bounds with this name.
   void RequestUpperBound(const std::string& name);
 
-  /// Locates the sources, runs the step and writes the results. The context of the call belongs to
-  /// `surface`.
-  py::object Run(Call& call, const Surface& surface, const Step& step);
+  /// Locates the sources, runs the step and writes the results. `what` is the name of distances
+  /// that need a surface; null if clouds are accepted.
+  py::object Run(Call& call, const Surface& surface, const char* what, const Step& step);
 
 private:
-  dgg::Status Compute(const dgg::TaskContext& context, const Step& step, dgg::Output& output) const;
+  dgg::Status Compute(
+    const dgg::TaskContext& context, const char* what, const Step& step, dgg::Output& output) const;
 
   SurfacePoints Sources;
   double MaximumDistance = dgg::Infinity;

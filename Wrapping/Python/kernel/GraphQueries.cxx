@@ -97,8 +97,8 @@ py::object ComputeDistance(
   {
     distances.RequestUpperBound(upperBoundName);
   }
-  return distances.Run(call, graph.GetSurface(),
-    [&](const dgg::TaskContext& context, dgg::DistanceTask& task, std::vector<std::string>&) {
+  return distances.Run(call, graph.GetSurface(), nullptr,
+    [&](const dgg::TaskContext& context, dgg::DistanceTask& task) {
       const Graph::Session session(graph);
       return dgg::FindGraphDistances(context, *session, method, correct, task);
     });

@@ -3,18 +3,11 @@
 #include "Distances.h"
 #include "Module.h"
 
-#include "dggCloudMarching.h"
+#include "dggDistanceMethods.h"
 #include "dggExactGeodesics.h"
 #include "dggFastMarching.h"
-#include "dggHeatMethod.h"
-#include "dggMeshQuality.h"
-#include "dggProgressPart.h"
-#include "dggPropagationSession.h"
-#include "dggSourceFinding.h"
 
-#include <algorithm>
 #include <optional>
-#include <utility>
 
 namespace dggPython
 {
@@ -58,56 +51,22 @@ constexpr const char* MarchingDocumentation =
   "resolution : int\n"
   "    On a cloud, number of voxels along the longest side; 0 for an automatic one.\n";
 
-/// Moves distances and their sources to a task.
-template <typename Result>
-void TakeResults(Result& result, dgg::DistanceTask& task)
-{
-  task.Distances = std::move(result.Distances);
-  task.NearestSource = std::move(result.NearestSource);
-}
-
-void AddReason(const std::string& reason, std::vector<std::string>& warnings)
-{
-  if (!reason.empty())
-  {
-    warnings.push_back(reason);
-  }
-}
-
 //------------------------------------------------------------------------------
-dgg::Status RunExact(
-  const dgg::TaskContext& context, dgg::ExactOptions options, dgg::DistanceTask& task)
-{
-  DGG_RETURN_IF_ERROR(RequireSurface(context.Surface, "Exact distances"));
-  options.MaximumDistance = task.MaximumDistance;
-  options.Progress = context.Progress;
-  options.MemoryLimit = static_cast<std::size_t>(context.Memory.Limit);
-  const dgg::SurfaceMesh& mesh = context.Surface.GetMesh();
-  dgg::ExactResult result;
-  DGG_RETURN_IF_ERROR(dgg::ExactGeodesics(mesh).Run(task.Sources, options, result));
-  if (task.WantVirtualSource)
-  {
-    dgg::FindVirtualSources(mesh, task.Sources, result, task.VirtualSource, context.Parallel);
-  }
-  task.Windows = std::move(result.Windows);
-  TakeResults(result, task);
-  return dgg::Status::Success();
-}
-
 py::object ComputeExact(
   const Surface& surface, const py::object& sources, const py::kwargs& keywords)
 {
   Arguments arguments(keywords);
   Call call(arguments);
   Distances distances(sources, arguments);
-  dgg::ExactOptions options;
-  arguments.Read("generate_windows", options.KeepWindows);
+  bool keepWindows = false;
+  dgg::ExactEngine engine = dgg::ExactEngine::Triangle;
+  arguments.Read("generate_windows", keepWindows);
   arguments.ReadChoice("engine",
     { { "Triangle", dgg::ExactEngine::Triangle }, { "Reference", dgg::ExactEngine::Reference } },
-    options.Engine);
-  return distances.Run(call, surface,
-    [&](const dgg::TaskContext& context, dgg::DistanceTask& task, std::vector<std::string>&) {
-      return RunExact(context, options, task);
+    engine);
+  return distances.Run(call, surface, "Exact distances",
+    [&](const dgg::TaskContext& context, dgg::DistanceTask& task) {
+      return dgg::FindExactDistances(context, engine, keepWindows, task);
     });
 }
 
@@ -126,59 +85,13 @@ py::object ComputeVirtualSource(
     quality);
   const SessionPool<dgg::PropagationSession>::Loan session(
     surface.GetPool<dgg::PropagationSession>());
-  return distances.Run(call, surface,
-    [&](const dgg::TaskContext& context, dgg::DistanceTask& task,
-      std::vector<std::string>& warnings) {
-      DGG_RETURN_IF_ERROR(RequireSurface(context.Surface, "Virtual sources"));
-      dgg::PropagationOptions options;
-      options.Quality = quality ? *quality : dgg::PropagationSession::Choose(context.Surface);
-      options.MaximumDistance = task.MaximumDistance;
-      options.WantNearestSource = task.WantNearestSource;
-      options.WantVirtualSource = task.WantVirtualSource;
-      dgg::PropagationResult result;
-      DGG_RETURN_IF_ERROR(session->Run(context, task.Sources, options, result));
-      AddReason(
-        dgg::JoinReasons({ dgg::DescribeLongTriangles(context.Surface, dgg::LongTrianglesMislead),
-          result.IsSettled ? "" : dgg::UnsettledDistances }),
-        warnings);
-      task.VirtualSource = std::move(result.Virtual);
-      TakeResults(result, task);
-      return dgg::Status::Success();
+  return distances.Run(call, surface, "Virtual sources",
+    [&](const dgg::TaskContext& context, dgg::DistanceTask& task) {
+      return dgg::FindPropagatedDistances(context, *session, quality, task);
     });
 }
 
 //------------------------------------------------------------------------------
-/// Factorizations that calls reuse.
-struct HeatSession
-{
-  std::optional<dgg::HeatMethod> Method;
-};
-
-dgg::Status RunHeat(const dgg::TaskContext& context, const dgg::HeatOptions& options,
-  HeatSession& session, dgg::DistanceTask& task)
-{
-  constexpr double factorizedAt = 0.9; // progress
-  DGG_RETURN_IF_ERROR(RequireSurface(context.Surface, "Distances by the heat method"));
-  if (!session.Method)
-  {
-    session.Method.emplace(context.Surface.GetMesh());
-  }
-  DGG_RETURN_IF_ERROR(session.Method->Prepare(
-    options, dgg::ProgressPart(context.Progress, 0.0, factorizedAt), [&](double bytes) {
-      return context.Memory.Check("The heat method", bytes, "Use a smaller mesh");
-    }));
-  dgg::HeatQuery query;
-  query.MaximumDistance = task.MaximumDistance;
-  query.WantNearestSource = task.WantNearestSource;
-  query.WantVirtualSource = task.WantVirtualSource;
-  query.Progress = dgg::ProgressPart(context.Progress, factorizedAt, 1.0);
-  dgg::HeatResult result;
-  DGG_RETURN_IF_ERROR(session.Method->Run(task.Sources, query, result));
-  task.VirtualSource = std::move(result.Virtual);
-  TakeResults(result, task);
-  return dgg::Status::Success();
-}
-
 py::object ComputeHeat(
   const Surface& surface, const py::object& sources, const py::kwargs& keywords)
 {
@@ -192,89 +105,31 @@ py::object ComputeHeat(
     { { "Neumann", dgg::HeatBoundary::Neumann }, { "Dirichlet", dgg::HeatBoundary::Dirichlet },
       { "Average", dgg::HeatBoundary::Average } },
     options.Boundary);
-  const SessionPool<HeatSession>::Loan session(surface.GetPool<HeatSession>());
-  return distances.Run(call, surface,
-    [&](const dgg::TaskContext& context, dgg::DistanceTask& task,
-      std::vector<std::string>& warnings) {
-      AddReason(dgg::DescribeLongTriangles(context.Surface, dgg::LongTrianglesMislead), warnings);
-      return RunHeat(context, options, *session, task);
+  const SessionPool<dgg::HeatSession>::Loan session(surface.GetPool<dgg::HeatSession>());
+  return distances.Run(call, surface, "Distances by the heat method",
+    [&](const dgg::TaskContext& context, dgg::DistanceTask& task) {
+      return session->Run(context, options, "Use a smaller mesh", task);
     });
 }
 
 //------------------------------------------------------------------------------
-/// Solvers that calls reuse: of a surface, or of the band of a cloud.
-struct MarchingSession
-{
-  std::optional<dgg::FastMarching> OnMesh;
-  std::optional<dgg::CloudMarching> OnCloud;
-  dgg::BandOptions Band; // of OnCloud
-};
-
-dgg::Status MarchOnMesh(const dgg::TaskContext& context, dgg::MarchingOptions options,
-  MarchingSession& session, dgg::DistanceTask& task)
-{
-  options.MaximumDistance = task.MaximumDistance;
-  options.WantVirtualSource = task.WantVirtualSource;
-  options.Progress = context.Progress;
-  if (!session.OnMesh)
-  {
-    session.OnMesh.emplace(context.Surface.GetMesh());
-  }
-  dgg::MarchingResult result;
-  DGG_RETURN_IF_ERROR(session.OnMesh->Run(task.Sources, options, result));
-  task.VirtualSource = std::move(result.Virtual);
-  TakeResults(result, task);
-  return dgg::Status::Success();
-}
-
-dgg::Status MarchOnCloud(const dgg::TaskContext& context, const dgg::BandOptions& band,
-  MarchingSession& session, dgg::DistanceTask& task)
-{
-  constexpr double bandShare = 0.4; // of the progress
-  const bool isKept = session.OnCloud && session.Band.OffsetInVoxels == band.OffsetInVoxels &&
-    session.Band.Resolution == band.Resolution;
-  if (!isKept)
-  {
-    session.Band = band;
-    session.OnCloud.emplace();
-    const dgg::Status status =
-      session.OnCloud->Prepare(context, band, dgg::ProgressPart(context.Progress, 0.0, bandShare));
-    if (!status.IsOk())
-    {
-      session.OnCloud.reset();
-      return status;
-    }
-  }
-  dgg::MarchingResult result;
-  DGG_RETURN_IF_ERROR(session.OnCloud->Run(context, task.Sources, task.MaximumDistance,
-    dgg::ProgressPart(context.Progress, isKept ? 0.0 : bandShare, 1.0), result));
-  TakeResults(result, task);
-  return dgg::Status::Success();
-}
-
 py::object ComputeMarching(
   const Surface& surface, const py::object& sources, const py::kwargs& keywords)
 {
   Arguments arguments(keywords);
   Call call(arguments);
   Distances distances(sources, arguments);
-  dgg::MarchingOptions options;
+  dgg::MarchingUpdate update = dgg::MarchingUpdate::Spherical;
   dgg::BandOptions band;
   arguments.ReadChoice("front_shape",
     { { "Spherical", dgg::MarchingUpdate::Spherical }, { "Planar", dgg::MarchingUpdate::Planar } },
-    options.Update);
+    update);
   arguments.Read("band_radius", band.OffsetInVoxels);
   arguments.Read("resolution", band.Resolution);
-  const SessionPool<MarchingSession>::Loan session(surface.GetPool<MarchingSession>());
-  return distances.Run(call, surface,
-    [&](const dgg::TaskContext& context, dgg::DistanceTask& task,
-      std::vector<std::string>& warnings) {
-      if (context.Surface.IsCloud())
-      {
-        return MarchOnCloud(context, band, *session, task);
-      }
-      AddReason(dgg::DescribeLongTriangles(context.Surface, dgg::LongTrianglesMislead), warnings);
-      return MarchOnMesh(context, options, *session, task);
+  const SessionPool<dgg::MarchingSession>::Loan session(surface.GetPool<dgg::MarchingSession>());
+  return distances.Run(
+    call, surface, nullptr, [&](const dgg::TaskContext& context, dgg::DistanceTask& task) {
+      return session->Run(context, update, band, task);
     });
 }
 }
