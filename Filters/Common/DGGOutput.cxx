@@ -11,6 +11,7 @@
 #include "vtkAlgorithm.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
+#include "vtkDataSetAttributes.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
@@ -21,6 +22,7 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkTypeInt64Array.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
@@ -211,8 +213,16 @@ void DGGAddArrays(dgg::Output& output, vtkPolyData* data)
 //------------------------------------------------------------------------------
 void DGGAddArrays(dgg::OutputArrays& arrays, vtkFieldData* data)
 {
+  const bool areIds = vtkDataSetAttributes::SafeDownCast(data) != nullptr;
   for (dgg::OutputArray& array : arrays)
   {
+    auto* integers = std::get_if<dgg::Buffer<dgg::Offset>>(&array.Values);
+    if (integers && !areIds)
+    {
+      data->AddArray(
+        DGGAdoptArray<vtkTypeInt64Array>(*integers, array.Name.c_str(), array.NumberOfComponents));
+      continue;
+    }
     data->AddArray(std::visit(
       [&array](
         auto& values) { return Adopt(values, array.Name.c_str(), array.NumberOfComponents); },

@@ -105,26 +105,6 @@ dgg::Status ReadPoints(const DGGSourceSet& set, dgg::SourceCollection& sources)
   return set.InitialDistanceArray.empty() ? dgg::Status::Success()
                                           : ReadInitialDistances(set, sources.InitialDistances);
 }
-
-dgg::Status Read(const DGGSourceSet& set, dgg::SourceCollection& sources)
-{
-  sources.Role = set.Role;
-  sources.Property = set.Property;
-  sources.ArePairs = set.ArePairs;
-  sources.Port = set.Port;
-  sources.Surface = set.Surface;
-  sources.Ids.assign(set.Ids.begin(), set.Ids.end());
-  sources.IsConnected = set.Points != nullptr;
-  if (set.InitialDistances)
-  {
-    sources.InitialDistancesOfIds = *set.InitialDistances;
-  }
-  if (set.PointIds)
-  {
-    sources.Indices.assign(set.PointIds->begin(), set.PointIds->end());
-  }
-  return set.CountPoints() > 0 ? ReadPoints(set, sources) : dgg::Status::Success();
-}
 }
 
 //------------------------------------------------------------------------------
@@ -145,19 +125,40 @@ vtkIdType DGGSourceSet::GetPointId(std::size_t i) const
 }
 
 //------------------------------------------------------------------------------
+dgg::Status DGGCollect(const DGGSourceSet& set, dgg::SourceCollection& sources)
+{
+  sources.Role = set.Role;
+  sources.Property = set.Property;
+  sources.ArePairs = set.ArePairs;
+  sources.Port = set.Port;
+  sources.Surface = set.Surface;
+  sources.Ids.assign(set.Ids.begin(), set.Ids.end());
+  sources.IsConnected = set.Points != nullptr;
+  if (set.InitialDistances)
+  {
+    sources.InitialDistancesOfIds = *set.InitialDistances;
+  }
+  if (set.PointIds)
+  {
+    sources.Indices.assign(set.PointIds->begin(), set.PointIds->end());
+  }
+  return set.CountPoints() > 0 ? ReadPoints(set, sources) : dgg::Status::Success();
+}
+
+//------------------------------------------------------------------------------
 dgg::Status DGGLocate(const DGGContext& context, const DGGSourceSet& set, double tolerance,
   std::vector<dgg::GeodesicSource>& sources, vtkObject* filter)
 {
   dgg::SourceCollection collection;
-  DGG_RETURN_IF_ERROR(Read(set, collection));
-  const dgg::SurfaceArrays none;
-  const dgg::SurfaceArrays& cells = collection.Barycentric.empty() ? none : context.GetCells();
-  DGG_RETURN_IF_ERROR(collection.Locate(cells, context.Surface, tolerance, sources));
-  const std::string warning =
-    filter ? collection.DescribeIsolated(context.Surface, sources) : std::string();
-  if (!warning.empty())
+  std::vector<std::string> warnings;
+  DGG_RETURN_IF_ERROR(DGGCollect(set, collection));
+  DGG_RETURN_IF_ERROR(collection.Locate(context, tolerance, sources, &warnings));
+  for (const std::string& warning : warnings)
   {
-    vtkWarningWithObjectMacro(filter, << dgg::Render(warning) << ".");
+    if (filter)
+    {
+      vtkWarningWithObjectMacro(filter, << dgg::Render(warning) << ".");
+    }
   }
   return dgg::Status::Success();
 }

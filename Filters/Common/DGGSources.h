@@ -19,6 +19,10 @@ class vtkDataSetAttributes;
 class vtkObject;
 class vtkPolyData;
 struct DGGContext;
+namespace dgg
+{
+struct SourceCollection;
+}
 
 /// Points of a surface or a cloud as specified by the user: ids, then the points of an input port.
 /// The point arrays `FaceId`, `Barycentric` and `vtkOriginalPointIds` of the port identify points
@@ -46,6 +50,10 @@ struct VTKDGGFILTERSCOMMON_EXPORT DGGSourceSet
   vtkIdType GetPointId(std::size_t i) const;
   bool IsEmpty() const { return this->Ids.empty() && this->CountPoints() == 0; }
 };
+
+/// Copies the points of a set. Fails if an array of the port has a wrong size or type.
+VTKDGGFILTERSCOMMON_EXPORT dgg::Status DGGCollect(
+  const DGGSourceSet& set, dgg::SourceCollection& sources);
 
 ///@{
 /// Locates the points of a set on the surface, or near the points of a cloud: see

@@ -3,35 +3,16 @@
 #include "DGGWindowArrays.h"
 
 #include "DGGArrayView.h"
-#include "DGGMakeArray.h"
 
 #include "dggStoredWindows.h"
 
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
-#include "vtkTypeInt64Array.h"
 
 #include <vector>
 
 using dgg::StoredWindows;
-
-//------------------------------------------------------------------------------
-void DGGWindowArrays::AddTo(vtkFieldData* data, vtkDoubleArray* distances,
-  const dgg::PreparedSurface& mesh, const dgg::EdgeWindows& windows)
-{
-  StoredWindows stored(windows, distances->GetPointer(0),
-    static_cast<std::size_t>(distances->GetNumberOfValues()), mesh);
-  const auto name = [&](int role) { return StoredWindows::GetName(distances->GetName(), role); };
-  data->AddArray(
-    DGGAdoptArray<vtkTypeInt64Array>(stored.Offsets, name(StoredWindows::OffsetsRole).c_str()));
-  data->AddArray(DGGAdoptArray<vtkDoubleArray>(
-    stored.Windows, name(StoredWindows::WindowsRole).c_str(), StoredWindows::NumberOfComponents));
-  data->AddArray(DGGAdoptArray<vtkDoubleArray>(
-    stored.Sources, name(StoredWindows::SourcesRole).c_str(), StoredWindows::NumberOfComponents));
-  data->AddArray(
-    DGGAdoptArray<vtkTypeInt64Array>(stored.Info, name(StoredWindows::InfoRole).c_str()));
-}
 
 //------------------------------------------------------------------------------
 void DGGWindowArrays::RemoveFrom(vtkFieldData* data, const std::string& distances)

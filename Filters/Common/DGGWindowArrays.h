@@ -15,17 +15,13 @@ namespace dgg
 class PreparedSurface;
 }
 class vtkDataArray;
-class vtkDoubleArray;
 class vtkFieldData;
 
-/// Stores the windows that belong to an array of distances in field data, and finds them there: see
+/// Finds or removes the windows that belong to an array of distances in field data: see
 /// dgg::StoredWindows.
 class VTKDGGFILTERSCOMMON_EXPORT DGGWindowArrays
 {
 public:
-  static void AddTo(vtkFieldData* data, vtkDoubleArray* distances, const dgg::PreparedSurface& mesh,
-    const dgg::EdgeWindows& windows);
-
   static void RemoveFrom(vtkFieldData* data, const std::string& distances);
 
   /// Removes the windows of all distances, regardless of their names.

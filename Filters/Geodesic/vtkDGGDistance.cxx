@@ -18,7 +18,7 @@ class vtkDGGDistance::vtkInternals
 public:
   using DGGGraphInternalsOf::DGGGraphInternalsOf;
 
-  dgg::Status ComputeDistances(DGGDistanceTask& task) override;
+  dgg::Status ComputeDistances(const DGGContext& context, dgg::DistanceTask& task) override;
   std::vector<dgg::VertexArray> DeclareArrays() const override;
   std::string GetMemoryRemedy() const override
   {
@@ -69,11 +69,12 @@ std::vector<dgg::VertexArray> vtkDGGDistance::vtkInternals::DeclareArrays() cons
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkDGGDistance::vtkInternals::ComputeDistances(DGGDistanceTask& task)
+dgg::Status vtkDGGDistance::vtkInternals::ComputeDistances(
+  const DGGContext& context, dgg::DistanceTask& task)
 {
   const dgg::SearchMethod methods[] = { dgg::SearchMethod::Certified,
     dgg::SearchMethod::LabelCorrecting, dgg::SearchMethod::Dijkstra };
-  DGG_RETURN_IF_ERROR(this->GraphUser.Update(task.Context, this->Self));
+  DGG_RETURN_IF_ERROR(this->GraphUser.Update(context, this->Self));
   return dgg::FindGraphDistances(
-    task.Context, this->GraphUser, methods[this->Self->Search], this->Self->Correction, task);
+    context, this->GraphUser, methods[this->Self->Search], this->Self->Correction, task);
 }

@@ -26,7 +26,11 @@ public:
     return DGGDistanceInternals::GetMemoryRemedy() + ", or on a cloud a smaller {Resolution}";
   }
   void ForgetResults() override;
-  dgg::Status ComputeDistances(DGGDistanceTask& task) override;
+  dgg::Status ComputeDistances(const DGGContext& context, dgg::DistanceTask& task) override;
+  void ReportQuality(const std::string& warning) override
+  {
+    this->Self->QualityWarning = this->WarnAboutQuality(warning);
+  }
 
   ///@{
   /// Median radius of balls, in voxels, and resolution of the band of the last update.
@@ -114,12 +118,12 @@ void vtkDGGFastMarchingDistance::vtkInternals::ForgetResults()
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkDGGFastMarchingDistance::vtkInternals::ComputeDistances(DGGDistanceTask& task)
+dgg::Status vtkDGGFastMarchingDistance::vtkInternals::ComputeDistances(
+  const DGGContext& context, dgg::DistanceTask& task)
 {
-  const dgg::Status status = this->Session.Run(task.Context,
+  const dgg::Status status = this->Session.Run(context,
     this->Self->FrontShape == Planar ? dgg::MarchingUpdate::Planar : dgg::MarchingUpdate::Spherical,
     this->MakeBand(), task);
-  this->Self->QualityWarning = this->WarnAboutQuality(task.QualityWarning);
   if (status.IsOk())
   {
     this->UsedBandRadius = this->Session.GetBandRadius();

@@ -18,7 +18,7 @@ class vtkExactGeodesicDistance::vtkInternals
 public:
   using DGGInternalsOf::DGGInternalsOf;
 
-  dgg::Status ComputeDistances(DGGDistanceTask& task) override;
+  dgg::Status ComputeDistances(const DGGContext& context, dgg::DistanceTask& task) override;
 };
 
 //------------------------------------------------------------------------------
@@ -38,9 +38,10 @@ void vtkExactGeodesicDistance::PrintSelf(ostream& os, vtkIndent indent)
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkExactGeodesicDistance::vtkInternals::ComputeDistances(DGGDistanceTask& task)
+dgg::Status vtkExactGeodesicDistance::vtkInternals::ComputeDistances(
+  const DGGContext& context, dgg::DistanceTask& task)
 {
-  return dgg::FindExactDistances(task.Context,
+  return dgg::FindExactDistances(context,
     this->Self->Engine == Reference ? dgg::ExactEngine::Reference : dgg::ExactEngine::Triangle,
     this->Self->GenerateWindows, task);
 }

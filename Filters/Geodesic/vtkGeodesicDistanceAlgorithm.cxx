@@ -7,13 +7,9 @@
 #include "DGGOutput.h"
 #include "DGGProperties.h"
 #include "DGGSources.h"
-#include "DGGWindowArrays.h"
 
-#include "dggOutput.h"
-#include "dggPreparedSurface.h"
-#include "dggProgressPart.h"
+#include "dggSourceCollection.h"
 
-#include "vtkDoubleArray.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
@@ -179,41 +175,43 @@ DGGSourceSet DGGDistanceInternals::GetSources(vtkInformationVector** inputVector
 }
 
 //------------------------------------------------------------------------------
+dgg::DistanceRequest DGGDistanceInternals::MakeRequest() const
+{
+  dgg::DistanceRequest request;
+  request.MaximumDistance =
+    this->Filter->MaximumDistance < VTK_DOUBLE_MAX ? this->Filter->MaximumDistance : dgg::Infinity;
+  request.UnreachedValue = this->Filter->UnreachedValue;
+  request.WantNearestSource = this->Filter->GenerateNearestSource;
+  request.WantVirtualSource = this->Filter->GenerateVirtualSource;
+  request.WantSourceOfPoints = this->Filter->PassSourceArrays;
+  request.Names = { this->Filter->DistanceArrayName, this->Filter->SourceArrayName,
+    this->Filter->VirtualSourceArrayName };
+  request.Arrays = this->DeclareArrays();
+  return request;
+}
+
+//------------------------------------------------------------------------------
 dgg::Status DGGDistanceInternals::Execute(
   const DGGContext& context, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  if (context.Surface.IsCloud() && this->Filter->GenerateVirtualSource)
-  {
-    return dgg::InvalidInput(
-      "Virtual sources are directions on a surface and do not exist on a point cloud")
-      .At("GenerateVirtualSource")
-      .Fix("Turn off {GenerateVirtualSource}");
-  }
-  std::vector<dgg::GeodesicSource> sources;
   const DGGSourceSet set = this->GetSources(inputVector);
-  DGG_RETURN_IF_ERROR(
-    DGGLocate(context, set, this->Filter->ProjectionTolerance, sources, this->Filter));
-
-  DGGDistanceTask task{ { {}, sources }, context };
-  task.MaximumDistance =
-    this->Filter->MaximumDistance < VTK_DOUBLE_MAX ? this->Filter->MaximumDistance : dgg::Infinity;
-  task.Arrays = this->DeclareArrays();
-  task.WantNearestSource = this->Filter->GenerateNearestSource || this->Filter->PassSourceArrays;
-  task.WantVirtualSource = this->Filter->GenerateVirtualSource;
-  task.MayBeSparse =
-    context.Surface.GetNumberOfMergedPoints() == 0 && !this->Filter->PassSourceArrays;
-  DGG_RETURN_IF_ERROR(this->ComputeDistances(task));
-  DGG_RETURN_IF_ERROR(dgg::ReportTo(context.Progress, 1.0)); // the observer may still abort here
+  dgg::SourceCollection sources;
+  DGG_RETURN_IF_ERROR(DGGCollect(set, sources));
+  dgg::DistanceOutput results;
+  const dgg::Status status = dgg::FindDistances(
+    context, sources, this->Filter->ProjectionTolerance, this->MakeRequest(),
+    [&](dgg::DistanceTask& task) { return this->ComputeDistances(context, task); }, results);
+  this->Warn(results.Warnings);
+  this->ReportQuality(results.QualityWarning);
+  DGG_RETURN_IF_ERROR(status);
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   output->ShallowCopy(context.Input);
-  const std::vector<bool> isReached = dgg::FindReached(context.Surface, task);
   if (this->Filter->PassSourceArrays) // before the results, which replace arrays of the same name
   {
-    DGGPassArrays(
-      set, dgg::GetNearestSources(context.Surface, task, isReached), output->GetPointData());
+    DGGPassArrays(set, results.SourceOfPoints, output->GetPointData());
   }
-  this->AddResults(task, isReached, output);
-  this->WarnAboutGaps(isReached);
+  this->AddResults(results, output);
+  this->WarnAboutGaps(results.IsReached);
   return dgg::Status::Success();
 }
 
@@ -221,22 +219,20 @@ dgg::Status DGGDistanceInternals::Execute(
 void DGGDistanceInternals::MakeEmptyOutput(
   const DGGContext& context, vtkInformationVector* outputVector)
 {
-  DGGDistanceTask task{ { {}, {} }, context };
-  task.Arrays = this->DeclareArrays();
+  const dgg::DistanceRequest request = this->MakeRequest();
+  dgg::DistanceResults none;
+  none.Arrays = request.Arrays;
+  dgg::Output results;
+  dgg::WriteDistances(context.Surface, none, {}, request, results);
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   output->ShallowCopy(context.Input);
-  this->AddResults(task, dgg::FindReached(context.Surface, task), output);
+  this->AddResults(results, output);
 }
 
 //------------------------------------------------------------------------------
-void DGGDistanceInternals::AddResults(
-  const DGGDistanceTask& task, const std::vector<bool>& isReached, vtkPolyData* output) const
+void DGGDistanceInternals::AddResults(dgg::Output& results, vtkPolyData* output) const
 {
-  const dgg::PreparedSurface& surface = task.Context.Surface;
   const std::string& name = this->Filter->DistanceArrayName;
-  const dgg::DistanceNames names{ name,
-    this->Filter->GenerateNearestSource ? this->Filter->SourceArrayName : "",
-    this->Filter->GenerateVirtualSource ? this->Filter->VirtualSourceArrayName : "" };
   vtkPointData* data = output->GetPointData();
   if (data->HasArray(name.c_str()))
   {
@@ -245,17 +241,9 @@ void DGGDistanceInternals::AddResults(
     data->RemoveArray(this->Filter->VirtualSourceArrayName.c_str());
   }
   DGGRemoveDistances(output, name);
-  for (const dgg::VertexArray& array : task.Arrays)
+  for (const dgg::VertexArray& array : this->DeclareArrays())
   {
     DGGRemoveDistances(output, array.Name); // such arrays can be read as distances
   }
-  dgg::OutputArrays arrays;
-  dgg::WriteDistances(surface, task, isReached, names, this->Filter->UnreachedValue, arrays);
-  DGGAddArrays(arrays, data);
-  data->SetActiveScalars(name.c_str()); // SetScalars() would remove the scalars of the input
-  if (!task.Windows.IsEmpty())
-  {
-    DGGWindowArrays::AddTo(output->GetFieldData(),
-      vtkDoubleArray::SafeDownCast(data->GetArray(name.c_str())), surface, task.Windows);
-  }
+  DGGAddArrays(results, output);
 }

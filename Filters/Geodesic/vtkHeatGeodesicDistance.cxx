@@ -19,7 +19,11 @@ public:
 
   dgg::Status CheckProperties() const override;
   void ForgetResults() override { this->Self->QualityWarning = false; }
-  dgg::Status ComputeDistances(DGGDistanceTask& task) override;
+  dgg::Status ComputeDistances(const DGGContext& context, dgg::DistanceTask& task) override;
+  void ReportQuality(const std::string& warning) override
+  {
+    this->Self->QualityWarning = this->WarnAboutQuality(warning);
+  }
   std::string GetMemoryRemedy() const override
   {
     return "Use a smaller mesh or vtkDGGFastMarchingDistance";
@@ -93,10 +97,8 @@ dgg::Status vtkHeatGeodesicDistance::vtkInternals::CheckProperties() const
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkHeatGeodesicDistance::vtkInternals::ComputeDistances(DGGDistanceTask& task)
+dgg::Status vtkHeatGeodesicDistance::vtkInternals::ComputeDistances(
+  const DGGContext& context, dgg::DistanceTask& task)
 {
-  const dgg::Status status =
-    this->Session.Run(task.Context, this->MakeOptions(), this->GetMemoryRemedy(), task);
-  this->Self->QualityWarning = this->WarnAboutQuality(task.QualityWarning);
-  return status;
+  return this->Session.Run(context, this->MakeOptions(), this->GetMemoryRemedy(), task);
 }

@@ -20,7 +20,11 @@ public:
   using DGGInternalsOf::DGGInternalsOf;
 
   void ForgetResults() override { this->Self->QualityWarning = false; }
-  dgg::Status ComputeDistances(DGGDistanceTask& task) override;
+  dgg::Status ComputeDistances(const DGGContext& context, dgg::DistanceTask& task) override;
+  void ReportQuality(const std::string& warning) override
+  {
+    this->Self->QualityWarning = this->WarnAboutQuality(warning);
+  }
   std::string GetMemoryRemedy() const override
   {
     return "Use a smaller mesh or the {Quality} Fast";
@@ -54,12 +58,11 @@ const char* vtkVirtualSourceGeodesicDistance::GetQualityAsString() const
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkVirtualSourceGeodesicDistance::vtkInternals::ComputeDistances(DGGDistanceTask& task)
+dgg::Status vtkVirtualSourceGeodesicDistance::vtkInternals::ComputeDistances(
+  const DGGContext& context, dgg::DistanceTask& task)
 {
   const std::optional<dgg::PropagationQuality> qualities[] = { std::nullopt,
     dgg::PropagationQuality::Fast, dgg::PropagationQuality::High };
-  const dgg::Status status = dgg::FindPropagatedDistances(
-    task.Context, this->Propagation, qualities[this->Self->Quality], task);
-  this->Self->QualityWarning = this->WarnAboutQuality(task.QualityWarning);
-  return status;
+  return dgg::FindPropagatedDistances(
+    context, this->Propagation, qualities[this->Self->Quality], task);
 }

@@ -175,9 +175,13 @@ TEST(Outputs, SparseDistancesEqualOthers)
   few.NearestSource = { 1, 1, 0 };
   for (const dgg::DistanceResults* results : { &all, &few })
   {
-    dgg::OutputArrays arrays;
-    dgg::WriteDistances(
-      *surface, *results, dgg::FindReached(*surface, *results), { "D", "S", "" }, -1.0, arrays);
+    dgg::DistanceRequest request;
+    request.UnreachedValue = -1.0;
+    request.WantNearestSource = true;
+    request.Names = { "D", "S", "" };
+    Output output;
+    dgg::WriteDistances(*surface, *results, dgg::FindReached(*surface, *results), request, output);
+    const dgg::OutputArrays& arrays = output.PointData;
     EXPECT_EQ(GetValues<double>(arrays, "D"), (std::vector<double>{ 0.0, 1.0, -1.0, -1.0 }));
     EXPECT_EQ(GetValues<std::int32_t>(arrays, "S"), (std::vector<std::int32_t>{ 0, 1, -1, -1 }));
     EXPECT_EQ(

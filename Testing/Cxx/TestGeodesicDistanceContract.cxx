@@ -108,7 +108,7 @@ private:
   public:
     using DGGInternalsOf::DGGInternalsOf;
 
-    dgg::Status ComputeDistances(DGGDistanceTask& task) override
+    dgg::Status ComputeDistances(const DGGContext& context, dgg::DistanceTask& task) override
     {
       switch (this->Self->Do)
       {
@@ -123,7 +123,7 @@ private:
         case Fault::None:
           break;
       }
-      task.Distances.assign(task.Context.Surface.GetMesh().GetNumberOfVertices(), 2.5);
+      task.Distances.assign(context.Surface.GetMesh().GetNumberOfVertices(), 2.5);
       return dgg::Status::Success();
     }
   };

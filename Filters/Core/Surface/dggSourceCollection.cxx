@@ -7,6 +7,7 @@
 #include "dggLocator.h"
 #include "dggPoint3.h"
 #include "dggStatus.h"
+#include "dggTaskContext.h"
 
 #include <algorithm>
 #include <cctype>
@@ -88,13 +89,15 @@ Status SourceCollection::Check(Offset numberOfPoints) const
 {
   if (this->Ids.empty() && this->Positions.empty())
   {
-    const bool hasIds = !this->Property.empty();
-    return InvalidInput("There is no ", this->Role,
+    const Status status = InvalidInput("There is no ", this->Role,
       this->IsConnected ? JoinText(": input port ", this->Port, " has no points") : "")
-      .At(this->Property)
-      .Fix(hasIds ? "Set {" + this->Property + "}, or " : "",
-        this->IsConnected ? (hasIds ? "add" : "Add") : (hasIds ? "connect" : "Connect"),
-        " points to input port ", this->Port);
+                            .At(this->Property);
+    const bool hasIds = !this->Property.empty();
+    return this->Port == 0
+      ? status.Fix("Set {", this->Property, "}")
+      : status.Fix(hasIds ? "Set {" + this->Property + "}, or " : "",
+          this->IsConnected ? (hasIds ? "add" : "Add") : (hasIds ? "connect" : "Connect"),
+          " points to input port ", this->Port);
   }
   for (std::size_t i = 0; i < this->Ids.size(); ++i)
   {
@@ -151,6 +154,32 @@ Status SourceCollection::Locate(const SurfaceArrays& input, const PreparedSurfac
                                 : this->FindClosest(i, surface, tolerance, position, source.Point));
     sources.push_back(source);
   }
+  return Status::Success();
+}
+
+//------------------------------------------------------------------------------
+Status SourceCollection::Locate(const TaskContext& context, double tolerance,
+  std::vector<GeodesicSource>& sources, std::vector<std::string>* warnings) const
+{
+  const SurfaceArrays none;
+  const SurfaceArrays& cells = this->Barycentric.empty() ? none : context.GetCells();
+  DGG_RETURN_IF_ERROR(this->Locate(cells, context.Surface, tolerance, sources));
+  const std::string warning =
+    warnings ? this->DescribeIsolated(context.Surface, sources) : std::string();
+  if (!warning.empty())
+  {
+    warnings->push_back(warning);
+  }
+  return Status::Success();
+}
+
+//------------------------------------------------------------------------------
+Status SourceCollection::Locate(const TaskContext& context, double tolerance,
+  std::vector<SurfacePoint>& points, std::vector<std::string>* warnings) const
+{
+  std::vector<GeodesicSource> sources;
+  DGG_RETURN_IF_ERROR(this->Locate(context, tolerance, sources, warnings));
+  points = GetPoints(sources);
   return Status::Success();
 }
 

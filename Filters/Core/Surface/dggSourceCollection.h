@@ -15,6 +15,7 @@
 namespace dgg
 {
 class CellCoordinates;
+struct TaskContext;
 
 /// Points that a task starts from or evaluates at: point ids of the input, then positions of a
 /// second input. Optional arrays identify the points of positions where several layers of the
@@ -33,7 +34,7 @@ struct DGG_CORE_EXPORT SourceCollection
   /// Wording of messages.
   std::string Role;              ///< name of a point, such as "source"
   std::string Property;          ///< property of ids; empty if there is none
-  int Port = 1;                  ///< input port of the positions
+  int Port = 1;                  ///< input port of the positions; 0 if Property has them, too
   std::string Surface = "input"; ///< name of the surface, if there are several
   bool ArePairs = false;         ///< true if points are starts and ends of pairs in turn
   std::vector<Offset> Indices;   ///< per position, its index at the port; empty for 0, 1, 2 ...
@@ -60,6 +61,15 @@ struct DGG_CORE_EXPORT SourceCollection
   /// diagonal. Positions between the points of a sparser cloud are accepted as well.
   Status Locate(const SurfaceArrays& input, const PreparedSurface& surface, double tolerance,
     std::vector<GeodesicSource>& sources) const;
+
+  ///@{
+  /// Like above, on the surface of the context. Appends a warning by DescribeIsolated() unless
+  /// `warnings` is null.
+  Status Locate(const TaskContext& context, double tolerance, std::vector<GeodesicSource>& sources,
+    std::vector<std::string>* warnings = nullptr) const;
+  Status Locate(const TaskContext& context, double tolerance, std::vector<SurfacePoint>& points,
+    std::vector<std::string>* warnings = nullptr) const;
+  ///@}
 
   /// Returns a warning about located points that no polygon uses, or, in clouds, that are not
   /// finite; else an empty text.

@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggDistanceOutput.h"
 
-#include "dggOutput.h"
 #include "dggPreparedSurface.h"
+#include "dggProgressPart.h"
+#include "dggSourceCollection.h"
+#include "dggStoredWindows.h"
+#include "dggTaskContext.h"
 
 #include <algorithm>
 #include <cmath>
@@ -35,9 +38,10 @@ struct PointArrayWriter
   const std::vector<bool>& IsReached; ///< per vertex
   OutputArrays& Arrays;
 
-  /// `valueOf(i, k)` returns component k of the result at index i.
+  /// Returns the values. `valueOf(i, k)` returns component k of the result at index i.
   template <typename ValueType, typename ValueOf>
-  void Add(const std::string& name, int components, ValueType unreached, const ValueOf& valueOf)
+  const ValueType* Add(
+    const std::string& name, int components, ValueType unreached, const ValueOf& valueOf)
   {
     const std::size_t size = this->IsReached.size();
     const auto count = static_cast<std::size_t>(components);
@@ -53,7 +57,7 @@ struct PointArrayWriter
           values[vertex * count + k] = valueOf(i, k);
         }
       }
-      return;
+      return values;
     }
     for (std::size_t i = 0; i < size; ++i)
     {
@@ -63,8 +67,23 @@ struct PointArrayWriter
         values[i * count + k] = this->IsReached[vertex] ? valueOf(vertex, k) : unreached;
       }
     }
+    return values;
   }
 };
+
+/// Returns the nearest source of each point of the input; NoId if unreached. For results that are
+/// not sparse.
+std::vector<Id> GetNearestSources(const PreparedSurface& surface, const DistanceResults& results,
+  const std::vector<bool>& isReached)
+{
+  std::vector<Id> nearest(isReached.size());
+  for (std::size_t i = 0; i < nearest.size(); ++i)
+  {
+    const Id vertex = surface.GetVertex(static_cast<Offset>(i));
+    nearest[i] = isReached[vertex] ? results.NearestSource[vertex] : NoId;
+  }
+  return nearest;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -89,38 +108,62 @@ bool AreMostReached(const std::vector<bool>& isReached)
 }
 
 //------------------------------------------------------------------------------
-std::vector<Id> GetNearestSources(const PreparedSurface& surface, const DistanceResults& results,
-  const std::vector<bool>& isReached)
+Status FindDistances(const TaskContext& context, const SourceCollection& sources, double tolerance,
+  const DistanceRequest& request, const std::function<Status(DistanceTask&)>& method,
+  DistanceOutput& output)
 {
-  std::vector<Id> nearest(isReached.size());
-  for (std::size_t i = 0; i < nearest.size(); ++i)
+  const PreparedSurface& surface = context.Surface;
+  if (surface.IsCloud() && request.WantVirtualSource)
   {
-    const Id vertex = surface.GetVertex(static_cast<Offset>(i));
-    nearest[i] = isReached[vertex] ? results.NearestSource[vertex] : NoId;
+    return InvalidInput(
+      "Virtual sources are directions on a surface and do not exist on a point cloud")
+      .At("GenerateVirtualSource")
+      .Fix("Turn off {GenerateVirtualSource}");
   }
-  return nearest;
+  std::vector<GeodesicSource> located;
+  DGG_RETURN_IF_ERROR(sources.Locate(context, tolerance, located, &output.Warnings));
+  DistanceTask task{ {}, located };
+  task.MaximumDistance = request.MaximumDistance;
+  task.Arrays = request.Arrays;
+  task.WantNearestSource = request.WantNearestSource || request.WantSourceOfPoints;
+  task.WantVirtualSource = request.WantVirtualSource;
+  task.MayBeSparse = surface.GetNumberOfMergedPoints() == 0 && !request.WantSourceOfPoints;
+  const Status status = method(task);
+  output.QualityWarning = task.QualityWarning;
+  DGG_RETURN_IF_ERROR(status);
+  DGG_RETURN_IF_ERROR(ReportTo(context.Progress, 1.0)); // the observer may still abort here
+  output.IsReached = FindReached(surface, task);
+  if (request.WantSourceOfPoints)
+  {
+    output.SourceOfPoints = GetNearestSources(surface, task, output.IsReached);
+  }
+  WriteDistances(surface, task, output.IsReached, request, output);
+  return Status::Success();
 }
 
 //------------------------------------------------------------------------------
 void WriteDistances(const PreparedSurface& surface, const DistanceResults& results,
-  const std::vector<bool>& isReached, const DistanceNames& names, double unreachedValue,
-  OutputArrays& arrays)
+  const std::vector<bool>& isReached, const DistanceRequest& request, Output& output)
 {
+  const DistanceNames& names = request.Names;
+  const double unreachedValue = request.UnreachedValue;
+  OutputArrays& arrays = output.PointData;
   PointArrayWriter writer{ surface, results, isReached, arrays };
   std::vector<bool> isPointReached = isReached;
   for (std::size_t i = 0; surface.GetNumberOfMergedPoints() > 0 && i < isReached.size(); ++i)
   {
     isPointReached[i] = isReached[surface.GetVertex(static_cast<Offset>(i))];
   }
-  writer.Add(names.Distance, 1, unreachedValue,
+  const double* const distances = writer.Add(names.Distance, 1, unreachedValue,
     [&](std::size_t i, std::size_t) { return results.Distances[i]; });
+  output.PointScalars = names.Distance;
   AddMarks(names.Distance, unreachedValue, isPointReached, arrays);
-  if (!names.Source.empty())
+  if (request.WantNearestSource)
   {
     writer.Add<std::int32_t>(
       names.Source, 1, NoId, [&](std::size_t i, std::size_t) { return results.NearestSource[i]; });
   }
-  if (!names.VirtualSource.empty())
+  if (request.WantVirtualSource)
   {
     writer.Add(names.VirtualSource, 3, unreachedValue, [&](std::size_t i, std::size_t k) {
       const VirtualSource& source = results.VirtualSource[i];
@@ -135,6 +178,11 @@ void WriteDistances(const PreparedSurface& surface, const DistanceResults& resul
     {
       AddMarks(array.Name, unreachedValue, isPointReached, arrays);
     }
+  }
+  if (!results.Windows.IsEmpty())
+  {
+    StoredWindows(results.Windows, distances, isReached.size(), surface)
+      .AddTo(names.Distance, output.FieldData);
   }
 }
 

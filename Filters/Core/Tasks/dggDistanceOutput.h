@@ -1,22 +1,27 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Arrays of distances in outputs. Internal.
+/// Tasks that compute distances, and their arrays in outputs. Internal.
 #ifndef dggDistanceOutput_h
 #define dggDistanceOutput_h
 
 #include "dggCoreExport.h"     // for DGG_CORE_EXPORT
 #include "dggEdgeWindows.h"    // for EdgeWindows
 #include "dggGeodesicSource.h" // for GeodesicSource
+#include "dggOutput.h"         // for Output
+#include "dggStatus.h"         // for Status
 #include "dggVirtualSources.h" // for VirtualSources
 
-#include <string> // for names
-#include <vector> // for distances
+#include <functional> // for methods
+#include <limits>     // for NaN
+#include <string>     // for names
+#include <vector>     // for distances
 
 namespace dgg
 {
-class OutputArrays;
 class PreparedSurface;
+struct SourceCollection;
+struct TaskContext;
 
 /// An array of vectors with a value per vertex, each component by itself.
 struct VertexArray
@@ -58,9 +63,35 @@ struct DistanceTask : public DistanceResults
 struct DistanceNames
 {
   std::string Distance;
-  std::string Source;        ///< array of nearest sources; empty for none
-  std::string VirtualSource; ///< empty for none
+  std::string Source; ///< array of nearest sources
+  std::string VirtualSource;
 };
+
+/// What a user requests of distances.
+struct DistanceRequest
+{
+  double MaximumDistance = Infinity;
+  double UnreachedValue = std::numeric_limits<double>::quiet_NaN();
+  bool WantNearestSource = false;
+  bool WantVirtualSource = false;
+  bool WantSourceOfPoints = false; ///< true if DistanceOutput::SourceOfPoints is requested
+  DistanceNames Names;
+  std::vector<VertexArray> Arrays; ///< arrays that the method fills besides those above
+};
+
+/// Arrays at the points of the surface, with warnings about sources and accuracy.
+struct DistanceOutput : public Output
+{
+  std::vector<bool> IsReached;    ///< per vertex
+  std::vector<Id> SourceOfPoints; ///< nearest source per point of the input; NoId if unreached
+  std::string QualityWarning;     ///< set even if the computation fails
+};
+
+/// Locates the sources, computes distances by `method`, and writes the results. Warnings about
+/// sources remain after a failure.
+DGG_CORE_EXPORT Status FindDistances(const TaskContext& context, const SourceCollection& sources,
+  double tolerance, const DistanceRequest& request,
+  const std::function<Status(DistanceTask&)>& method, DistanceOutput& output);
 
 /// Returns true for each vertex that is reached.
 DGG_CORE_EXPORT std::vector<bool> FindReached(
@@ -69,16 +100,11 @@ DGG_CORE_EXPORT std::vector<bool> FindReached(
 /// Returns true if more than half of the vertices are reached.
 DGG_CORE_EXPORT bool AreMostReached(const std::vector<bool>& isReached);
 
-/// Returns the nearest source of each point of the input; NoId if unreached. For results that are
-/// not sparse.
-DGG_CORE_EXPORT std::vector<Id> GetNearestSources(const PreparedSurface& surface,
-  const DistanceResults& results, const std::vector<bool>& isReached);
-
-/// Adds the results as point arrays of the surface, with `unreachedValue` (-1 for nearest sources)
-/// at unreached points, and marks of unreached points as AddDistances().
+/// Adds the results as point arrays of the surface, with the requested value (-1 for nearest
+/// sources) at unreached points, and marks of unreached points as AddDistances(). Windows become
+/// field data.
 DGG_CORE_EXPORT void WriteDistances(const PreparedSurface& surface, const DistanceResults& results,
-  const std::vector<bool>& isReached, const DistanceNames& names, double unreachedValue,
-  OutputArrays& arrays);
+  const std::vector<bool>& isReached, const DistanceRequest& request, Output& output);
 
 /// Returns the name of the array that marks the unreached points of distances.
 DGG_CORE_EXPORT std::string GetUnreachedName(const std::string& distances);

@@ -271,10 +271,7 @@ Status GraphicsTask::Run(const TaskContext& context, const GraphicsDrawing& draw
   WritePoints(context.Surface, cut.Points, surface);
   WriteTriangles(context.Surface, cut, surface);
   WriteColors(settings.ResultName, result.Values, channels, surface);
-  if (!result.Warning.empty())
-  {
-    surface.Warnings.push_back(result.Warning);
-  }
+  surface.Warn(result.Warning);
   surface.FieldData.AddValues<double>(NetName, result.NetSources, channels);
   surface.PointData.AddValues<Offset>(ComponentName, result.Components);
   if (settings.WantFragments)

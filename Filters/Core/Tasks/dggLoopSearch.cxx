@@ -207,11 +207,7 @@ void WriteLoops(
     angles[i] = loop.Angle;
     kinked[i] = loop.IsKinked() ? 1 : 0;
   }
-  const std::string warning = DescribeMissingLoops(options.Kind, loops);
-  if (!warning.empty())
-  {
-    output.Warnings.push_back(warning);
-  }
+  output.Warn(DescribeMissingLoops(options.Kind, loops));
 }
 
 //------------------------------------------------------------------------------

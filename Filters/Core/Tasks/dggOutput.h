@@ -93,6 +93,15 @@ struct Output
   std::string CellScalars;
   ///@}
   std::vector<std::string> Warnings; ///< without the final period
+
+  /// Adds a warning unless it is empty.
+  void Warn(const std::string& warning)
+  {
+    if (!warning.empty())
+    {
+      this->Warnings.push_back(warning);
+    }
+  }
 };
 }
 

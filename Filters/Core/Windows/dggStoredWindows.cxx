@@ -3,11 +3,13 @@
 #include "dggStoredWindows.h"
 
 #include "dggBitHash.h"
+#include "dggOutput.h"
 #include "dggPreparedSurface.h"
 #include "dggStatus.h"
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 namespace dgg
 {
@@ -160,5 +162,17 @@ Status StoredWindows::Read(const Arrays& arrays, const std::string& name, const 
     windows = EdgeWindows();
   }
   return status.Of(subject + "are damaged");
+}
+
+//------------------------------------------------------------------------------
+void StoredWindows::AddTo(const std::string& name, OutputArrays& arrays)
+{
+  const auto add = [&](int role, int components, auto& values) {
+    arrays.push_back({ GetName(name, role), components, std::move(values) });
+  };
+  add(OffsetsRole, 1, this->Offsets);
+  add(WindowsRole, NumberOfComponents, this->Windows);
+  add(SourcesRole, NumberOfComponents, this->Sources);
+  add(InfoRole, 1, this->Info);
 }
 }

@@ -18,6 +18,7 @@
 
 namespace dgg
 {
+class OutputArrays;
 class PreparedSurface;
 
 /// The windows that belong to an array of distances as flat arrays. For distances named D the
@@ -55,6 +56,9 @@ struct DGG_CORE_EXPORT StoredWindows
   /// surface, distances and all values are valid. After a failure there are no windows.
   static Status Read(const Arrays& arrays, const std::string& name, const double* distances,
     std::size_t numberOfDistances, const PreparedSurface& surface, EdgeWindows& windows);
+
+  /// Moves the arrays of the distances `name` to field data.
+  void AddTo(const std::string& name, OutputArrays& arrays);
 
   Buffer<std::int64_t> Offsets;
   Buffer<double> Windows;

@@ -9,17 +9,11 @@
 
 #include "dggDistanceOutput.h" // for DistanceTask
 
-#include <vector> // for the results
+#include <string> // for warnings
+#include <vector> // for arrays
 
 struct DGGSourceSet;
 class vtkGeodesicDistanceAlgorithm;
-
-/// Arguments, all checked, and results of DGGDistanceInternals::ComputeDistances(). `Arrays` come
-/// from DGGDistanceInternals::DeclareArrays().
-struct DGGDistanceTask : public dgg::DistanceTask
-{
-  const DGGContext& Context;
-};
 
 /// The steps of an update of a vtkGeodesicDistanceAlgorithm, except the computation of distances.
 class VTKDGGFILTERSGEODESIC_EXPORT DGGDistanceInternals : public DGGFilterInternals
@@ -38,9 +32,12 @@ public:
   }
 
   /// Fills the results of the task. Called with a mesh and at least one source, both checked.
-  /// Returns an error, which is reported, or the status of an abort by the progress of the
-  /// context. May throw.
-  virtual dgg::Status ComputeDistances(DGGDistanceTask& task) = 0;
+  /// `Arrays` of the task come from DeclareArrays(). Returns an error, which is reported, or the
+  /// status of an abort by the progress of the context. May throw.
+  virtual dgg::Status ComputeDistances(const DGGContext& context, dgg::DistanceTask& task) = 0;
+
+  /// Reports why distances may be far off; an empty text for no reason.
+  virtual void ReportQuality(const std::string& vtkNotUsed(warning)) {}
 
   /// Returns the point arrays that ComputeDistances() fills besides distances and nearest sources.
   /// Default none.
@@ -48,8 +45,8 @@ public:
 
 private:
   DGGSourceSet GetSources(vtkInformationVector** inputVector) const;
-  void AddResults(
-    const DGGDistanceTask& task, const std::vector<bool>& isReached, vtkPolyData* output) const;
+  dgg::DistanceRequest MakeRequest() const;
+  void AddResults(dgg::Output& results, vtkPolyData* output) const;
 
   vtkGeodesicDistanceAlgorithm* Filter;
 };

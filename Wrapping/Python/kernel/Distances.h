@@ -14,9 +14,7 @@
 #include "dggDistanceOutput.h" // for DistanceTask
 
 #include <functional> // for steps
-#include <limits>     // for NaN
 #include <string>     // for names
-#include <vector>     // for warnings
 
 namespace dggPython
 {
@@ -69,16 +67,8 @@ public:
   py::object Run(Call& call, const Surface& surface, const char* what, const Step& step);
 
 private:
-  dgg::Status Compute(
-    const dgg::TaskContext& context, const char* what, const Step& step, dgg::Output& output) const;
-
   SurfacePoints Sources;
-  double MaximumDistance = dgg::Infinity;
-  double UnreachedValue = std::numeric_limits<double>::quiet_NaN();
-  bool WantNearestSource = false;
-  bool WantVirtualSource = false;
-  dgg::DistanceNames Names{ DistanceName, SourceName, VirtualSourceName };
-  std::vector<dgg::VertexArray> Arrays;
+  dgg::DistanceRequest Request;
 };
 
 /// Fails for a point cloud; `what` needs a surface.

@@ -156,11 +156,7 @@ private:
 void AddWarnings(const dgg::FieldReader& reader, dgg::Output& output)
 {
   output.Warnings = reader.GetWarnings();
-  const std::string quality = reader.DescribeQuality();
-  if (!quality.empty())
-  {
-    output.Warnings.push_back(quality);
-  }
+  output.Warn(reader.DescribeQuality());
 }
 
 //------------------------------------------------------------------------------

@@ -85,6 +85,7 @@ SurfacePoints::SurfacePoints(
   const std::string argument = GetArgumentName(property);
   this->Collection.Role = role;
   this->Collection.Property = property;
+  this->Collection.Port = 0;
   if (!object || object.is_none())
   {
     return;
@@ -144,30 +145,13 @@ std::size_t SurfacePoints::Size() const
 dgg::Status SurfacePoints::Locate(const dgg::TaskContext& context,
   std::vector<dgg::GeodesicSource>& sources, std::vector<std::string>* warnings) const
 {
-  const dgg::SourceCollection& points = this->Collection;
-  if (this->IsEmpty()) // the message of the kernel advises to connect an input
-  {
-    return dgg::InvalidInput("There is no ", points.Role)
-      .At(points.Property)
-      .Fix("Pass at least one in {", points.Property, "}");
-  }
-  DGG_RETURN_IF_ERROR(points.Locate(context.GetCells(), context.Surface, this->Tolerance, sources));
-  const std::string warning =
-    warnings ? points.DescribeIsolated(context.Surface, sources) : std::string();
-  if (!warning.empty())
-  {
-    warnings->push_back(warning);
-  }
-  return dgg::Status::Success();
+  return this->Collection.Locate(context, this->Tolerance, sources, warnings);
 }
 
 //------------------------------------------------------------------------------
 dgg::Status SurfacePoints::Locate(const dgg::TaskContext& context,
   std::vector<dgg::SurfacePoint>& points, std::vector<std::string>* warnings) const
 {
-  std::vector<dgg::GeodesicSource> sources;
-  DGG_RETURN_IF_ERROR(this->Locate(context, sources, warnings));
-  points = dgg::GetPoints(sources);
-  return dgg::Status::Success();
+  return this->Collection.Locate(context, this->Tolerance, points, warnings);
 }
 }

@@ -40,6 +40,7 @@ public:
   /// Returns the number of points.
   std::size_t Size() const;
   bool IsEmpty() const { return this->Size() == 0; }
+  double GetTolerance() const { return this->Tolerance; }
   /// Returns the points that the kernel locates, to change their wording or kind.
   dgg::SourceCollection& GetCollection() { return this->Collection; }
 
