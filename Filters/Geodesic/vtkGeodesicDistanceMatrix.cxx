@@ -23,6 +23,7 @@
 
 #include <limits>
 #include <string>
+#include <utility>
 
 vtkStandardNewMacro(vtkGeodesicDistanceMatrix);
 vtkDGGDefineInputMacro(vtkGeodesicDistanceMatrix, Row, 1);
@@ -33,32 +34,11 @@ namespace
 /// Tables store columns separately and search them by name, which is slow for many columns.
 constexpr std::size_t MaximumNumberOfTableColumns = 10000;
 
-/// Fails if the matrix, or the matrix and its table, would exceed the limit.
-dgg::Status CheckMemory(
-  const dgg::MemoryBudget& memory, std::size_t rows, std::size_t columns, bool withTable)
+/// Takes over the memory of a matrix.
+vtkSmartPointer<vtkDoubleArray> MakeMatrix(
+  dgg::Buffer<double> values = dgg::Buffer<double>(), std::size_t columns = 1)
 {
-  const double bytes = static_cast<double>(rows) * static_cast<double>(columns) * sizeof(double);
-  const std::string size =
-    std::to_string(rows) + " rows and " + std::to_string(columns) + " columns";
-  if (withTable)
-  {
-    return memory.Check("A matrix of " + size + " with its table", 2.0 * bytes,
-      "Use fewer points at a time, turn off {GenerateTable}");
-  }
-  return memory.Check("A matrix of " + size, bytes, "Use fewer points at a time");
-}
-
-/// Returns an array of infinities, with its memory committed.
-vtkSmartPointer<vtkDoubleArray> MakeArray(
-  std::size_t tuples, std::size_t components, const char* name = nullptr)
-{
-  auto values = dgg::MakeUnreached(tuples * components); // throws bad_alloc, where VTK may abort
-  return DGGAdoptArray<vtkDoubleArray>(values, name, static_cast<int>(components));
-}
-
-vtkSmartPointer<vtkDoubleArray> MakeMatrix(std::size_t rows, std::size_t columns)
-{
-  return MakeArray(rows, columns, "GeodesicDistance");
+  return DGGAdoptArray<vtkDoubleArray>(values, "GeodesicDistance", static_cast<int>(columns));
 }
 
 using Columns = std::vector<vtkSmartPointer<vtkDoubleArray>>;
@@ -68,7 +48,8 @@ Columns MakeColumns(std::size_t rows, std::size_t columns)
   Columns arrays;
   for (std::size_t j = 0; j < columns; ++j)
   {
-    arrays.push_back(MakeArray(rows, 1));
+    auto values = dgg::MakeUnreached(rows); // throws bad_alloc, where VTK may abort
+    arrays.push_back(DGGAdoptArray<vtkDoubleArray>(values, nullptr));
   }
   return arrays;
 }
@@ -102,7 +83,7 @@ public:
   using DGGGraphInternalsOf::DGGGraphInternalsOf;
 
   dgg::Status CheckProperties() const override;
-  void ForgetResults() override { this->Matrix = MakeMatrix(0, 1); }
+  void ForgetResults() override { this->Matrix = MakeMatrix(); }
   dgg::Status Execute(const DGGContext& context, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
   std::string GetMemoryRemedy() const override
@@ -110,7 +91,7 @@ public:
     return "Use a smaller mesh, a larger {Accuracy} or fewer points at a time";
   }
 
-  vtkSmartPointer<vtkDoubleArray> Matrix = MakeMatrix(0, 1); // never null
+  vtkSmartPointer<vtkDoubleArray> Matrix = MakeMatrix(); // never null
 
 private:
   DGGSourceSet GetRows(vtkInformationVector** inputVector) const;
@@ -174,7 +155,7 @@ vtkDoubleArray* vtkGeodesicDistanceMatrix::GetMatrix()
 //------------------------------------------------------------------------------
 void vtkGeodesicDistanceMatrix::ReleaseMatrix()
 {
-  this->GetInternals().Matrix = MakeMatrix(0, 1);
+  this->GetInternals().Matrix = MakeMatrix();
   if (vtkDataObject* output = this->GetOutputDataObject(0))
   {
     output->ReleaseData(); // the pipeline must consider the output out of date
@@ -246,28 +227,24 @@ dgg::Status vtkGeodesicDistanceMatrix::vtkInternals::Execute(
 
   const std::vector<dgg::SurfacePoint> rows = dgg::GetPoints(sources);
   std::vector<dgg::SurfacePoint> columns;
-  if (symmetric)
-  {
-    columns = rows;
-  }
-  else
+  if (!symmetric)
   {
     DGG_RETURN_IF_ERROR(
       DGGLocate(context, columnSet, this->Self->ProjectionTolerance, columns, this->Self));
   }
-  const bool withTable = this->WantsTable(columns.size());
-  DGG_RETURN_IF_ERROR(CheckMemory(context.Memory, rows.size(), columns.size(), withTable));
+  const std::size_t numberOfColumns = symmetric ? rows.size() : columns.size();
+  const bool withTable = this->WantsTable(numberOfColumns);
   // Allocated before the graph, because the graph may use all memory that remains free.
-  const auto matrix = MakeMatrix(rows.size(), columns.size());
-  const Columns table = MakeColumns(withTable ? rows.size() : 0, withTable ? columns.size() : 0);
+  dgg::Buffer<double> values;
+  DGG_RETURN_IF_ERROR(
+    dgg::AllocateMatrix(context.Memory, rows.size(), numberOfColumns, withTable, values));
+  const Columns table = MakeColumns(withTable ? rows.size() : 0, withTable ? numberOfColumns : 0);
 
   DGG_RETURN_IF_ERROR(this->GraphUser.Update(context, this->Self));
-  // Searches start from the smaller set.
-  const bool sourcesAreRows = rows.size() <= columns.size();
-  const dgg::MatrixEntries entries{ matrix->GetPointer(0), columns.size(), sourcesAreRows };
-  DGG_RETURN_IF_ERROR(dgg::MatrixSearch(context, this->GraphUser, sourcesAreRows ? rows : columns,
-    sourcesAreRows ? columns : rows, entries)
-                        .Run(symmetric, this->Self->MaximumDistance, this->Self->UnreachedValue));
+  DGG_RETURN_IF_ERROR(
+    dgg::FindMatrix(context, this->GraphUser, rows, symmetric ? nullptr : &columns,
+      this->Self->MaximumDistance, this->Self->UnreachedValue, values.Data()));
+  const auto matrix = MakeMatrix(std::move(values), numberOfColumns);
   vtkTable* output = vtkTable::GetData(outputVector);
   output->Initialize();
   FillTable(matrix, table, context.Parallel, output);

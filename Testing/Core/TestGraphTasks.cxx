@@ -12,7 +12,6 @@ namespace dggtest
 namespace
 {
 using dgg::GraphSession;
-using dgg::MatrixSearch;
 using dgg::PathSearch;
 using dgg::SurfacePoint;
 using Points = std::vector<SurfacePoint>;
@@ -211,10 +210,9 @@ TEST(MatrixSearch, DistancesInACloud)
     SurfacePoint::NearVertex(2, { { 0.0, 0.5, 0.0 } }) };
   const std::vector<double> expected = { 0.0, 2.0, 0.5, 2.5, 2.0, 0.0, 2.5, 0.5 };
   std::vector<double> values(25, dgg::Infinity);
-  const dgg::MatrixEntries matrix{ values.data(), 5, true };
-  const dgg::TaskContext context = world.MakeContext();
-  ASSERT_TRUE(Ok(MatrixSearch(context, session, points, points, matrix)
-                   .Run(true, dgg::Infinity, dgg::Infinity)));
+  const auto matrix = [&](std::size_t i, std::size_t j) { return values[5 * i + j]; };
+  ASSERT_TRUE(Ok(dgg::FindMatrix(
+    world.MakeContext(), session, points, nullptr, dgg::Infinity, dgg::Infinity, values.data())));
   const std::vector<std::size_t> connected = { 0, 1, 3, 4 };
   for (std::size_t k = 0; k < expected.size(); ++k)
   {
@@ -240,10 +238,12 @@ TEST(MatrixSearch, DistancesInThePlane)
         GraphSession session = StartSession(world);
         const Points& others = isSymmetric ? points : targets;
         std::vector<double> values(points.size() * others.size(), dgg::Infinity);
-        const dgg::MatrixEntries matrix{ values.data(), areRows ? others.size() : points.size(),
-          areRows };
-        MatrixSearch search(context, session, points, others, matrix);
-        ASSERT_TRUE(Ok(search.Run(isSymmetric, limit, dgg::Infinity)));
+        const auto matrix = [&](std::size_t i, std::size_t j) {
+          return values[areRows ? i * others.size() + j : j * points.size() + i];
+        };
+        const Points* columns = areRows ? &others : &points;
+        ASSERT_TRUE(Ok(dgg::FindMatrix(context, session, areRows ? points : others,
+          isSymmetric ? nullptr : columns, limit, dgg::Infinity, values.data())));
         for (std::size_t i = 0; i < points.size(); ++i)
         {
           for (std::size_t j = 0; j < others.size(); ++j)

@@ -3,12 +3,15 @@
 #include "dggMatrixSearch.h"
 
 #include "dggBlockLoop.h"
+#include "dggGraphBuilder.h"
+#include "dggGraphSearch.h"
 #include "dggGraphSeeds.h"
 #include "dggGraphSession.h"
 #include "dggPreparedSurface.h"
 #include "dggProgressPart.h"
 
 #include <algorithm>
+#include <string>
 
 namespace dgg
 {
@@ -20,7 +23,56 @@ constexpr double TargetsLinked = 0.1;
 
 /// Number of points that a thread links between reports of the progress.
 constexpr std::size_t LinkBlock = 16;
-}
+
+/// Entries of a matrix that is stored row by row.
+struct MatrixEntries
+{
+  double* Values;
+  std::size_t NumberOfColumns;
+  bool SourcesAreRows;
+
+  double& operator()(std::size_t source, std::size_t target) const
+  {
+    return this->SourcesAreRows ? this->Values[source * this->NumberOfColumns + target]
+                                : this->Values[target * this->NumberOfColumns + source];
+  }
+};
+
+/// Finds the distances of all points of one set from all points of another set in a graph.
+class MatrixSearch
+{
+public:
+  using Points = std::vector<SurfacePoint>;
+  using Links = std::vector<std::vector<GraphLink>>; // per point
+
+  /// `graph` must be up to date, and all entries must be Infinity. distances(i, j) becomes the
+  /// distance of sources[i] from targets[j].
+  MatrixSearch(const TaskContext& context, GraphSession& graph, const Points& sources,
+    const Points& targets, const MatrixEntries& distances);
+
+  /// Finds all distances. With `symmetric`, targets and sources are the same points: one half is
+  /// searched and mirrored. Entries without a path or above `radius` become `unreachedValue`.
+  Status Run(bool symmetric, double radius, double unreachedValue);
+
+private:
+  template <typename EntryType>
+  Status LinkPoints(
+    const Points& points, const Points& others, double end, Links& links, EntryType entry);
+  Status Search(double radius);
+  void EnterDistances(std::size_t source, const double* field) const;
+  void Mirror() const;
+
+  const TaskContext& Context;
+  GraphSession& Graph;
+  const Points& Sources;
+  const Points& Targets;
+  const MatrixEntries& Distances;
+  bool IsSymmetric = false;
+  Links SourceLinks;
+  Links TargetLinks;
+  const ProgressCallback Progress;
+  double Done = 0.0; // progress so far
+};
 
 MatrixSearch::MatrixSearch(const TaskContext& context, GraphSession& graph, const Points& sources,
   const Points& targets, const MatrixEntries& distances)
@@ -148,12 +200,37 @@ void MatrixSearch::Mirror() const
     }
   }
 }
+}
+
+Status AllocateMatrix(const MemoryBudget& memory, std::size_t rows, std::size_t columns,
+  bool withTable, Buffer<double>& matrix)
+{
+  const double bytes = static_cast<double>(rows) * static_cast<double>(columns) * sizeof(double);
+  const std::string what = JoinText("A matrix of ", rows, " rows and ", columns, " columns");
+  DGG_RETURN_IF_ERROR(withTable ? memory.Check(what + " with its table", 2.0 * bytes,
+                                    "Use fewer points at a time, turn off {GenerateTable}")
+                                : memory.Check(what, bytes, "Use fewer points at a time"));
+  matrix = MakeUnreached(rows * columns);
+  return Status::Success();
+}
 
 Buffer<double> MakeUnreached(std::size_t size)
 {
   Buffer<double> entries(size);
   std::fill(entries.begin(), entries.end(), Infinity);
   return entries;
+}
+
+Status FindMatrix(const TaskContext& context, GraphSession& graph,
+  const std::vector<SurfacePoint>& rows, const std::vector<SurfacePoint>* columns, double radius,
+  double unreachedValue, double* matrix)
+{
+  const std::vector<SurfacePoint>& others = columns ? *columns : rows;
+  const bool sourcesAreRows = rows.size() <= others.size(); // searches start from the smaller set
+  const MatrixEntries entries{ matrix, others.size(), sourcesAreRows };
+  return MatrixSearch(
+    context, graph, sourcesAreRows ? rows : others, sourcesAreRows ? others : rows, entries)
+    .Run(!columns, radius, unreachedValue);
 }
 
 void CopyColumns(const double* matrix, std::size_t numberOfRows,

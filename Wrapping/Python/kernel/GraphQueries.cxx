@@ -132,26 +132,15 @@ dgg::Status FindMatrix(const dgg::TaskContext& context, const Graph& graph,
   std::vector<dgg::SurfacePoint> rows;
   std::vector<dgg::SurfacePoint> columns;
   DGG_RETURN_IF_ERROR(arguments.Rows.Locate(context, rows));
-  if (arguments.IsSymmetric)
-  {
-    columns = rows;
-  }
-  else
+  if (!arguments.IsSymmetric)
   {
     DGG_RETURN_IF_ERROR(arguments.Columns.Locate(context, columns));
   }
-  DGG_RETURN_IF_ERROR(context.Memory.Check(
-    dgg::JoinText("A matrix of ", rows.size(), " x ", columns.size(), " distances"),
-    static_cast<double>(sizeof(double)) * static_cast<double>(rows.size()) *
-      static_cast<double>(columns.size()),
-    "Use fewer points at a time"));
-  matrix = dgg::MakeUnreached(rows.size() * columns.size());
-  const bool sourcesAreRows = rows.size() <= columns.size(); // searches start from the smaller set
-  const dgg::MatrixEntries entries{ matrix.Data(), columns.size(), sourcesAreRows };
+  DGG_RETURN_IF_ERROR(dgg::AllocateMatrix(context.Memory, rows.size(),
+    arguments.IsSymmetric ? rows.size() : columns.size(), false, matrix));
   const Graph::Session session(graph);
-  return dgg::MatrixSearch(
-    context, *session, sourcesAreRows ? rows : columns, sourcesAreRows ? columns : rows, entries)
-    .Run(arguments.IsSymmetric, arguments.Radius, arguments.UnreachedValue);
+  return dgg::FindMatrix(context, *session, rows, arguments.IsSymmetric ? nullptr : &columns,
+    arguments.Radius, arguments.UnreachedValue, matrix.Data());
 }
 
 py::object ComputeMatrix(
