@@ -6,15 +6,12 @@
 #define DGGProperties_h
 
 #include "vtkDGGFiltersCommonModule.h" // for the export macro
-#include "dggStatus.h"                 // for Status
 
 #include "vtkIndent.h" // for printing
 #include "vtkType.h"   // for vtkIdType
 
-#include <initializer_list> // for properties
-#include <ostream>          // for printing
-#include <utility>          // for properties
-#include <vector>           // for ids
+#include <ostream> // for printing
+#include <vector>  // for ids
 
 /// Defines both functions that set the data of an input port. The assertion requires a semicolon
 /// after the macro.
@@ -34,14 +31,5 @@ VTKDGGFILTERSCOMMON_EXPORT vtkIdType DGGGetId(const std::vector<vtkIdType>& ids,
 /// Prints a line with the name and the ids.
 VTKDGGFILTERSCOMMON_EXPORT void DGGPrintIds(
   std::ostream& os, vtkIndent indent, const char* name, const std::vector<vtkIdType>& ids);
-
-/// Returns an error if a property is negative or NaN. Infinity is allowed.
-VTKDGGFILTERSCOMMON_EXPORT dgg::Status DGGCheckLengths(
-  std::initializer_list<std::pair<const char*, double>> properties);
-
-/// Returns an error if the name of an array is empty or used twice. Pairs consist of a property and
-/// its value.
-VTKDGGFILTERSCOMMON_EXPORT dgg::Status DGGCheckNames(
-  const std::vector<std::pair<std::string, std::string>>& names);
 
 #endif

@@ -7,12 +7,12 @@
 #include "DGGMeshAdapter.h"
 #include "DGGOutput.h"
 #include "DGGPartedUpdate.h"
-#include "DGGProperties.h"
 #include "DGGSurfaceArrays.h"
 #include "DGGThreads.h"
 #include "vtkGeodesicAlgorithm.h"
 
 #include "dggDistanceOutput.h"
+#include "dggPropertyChecks.h"
 #include "dggStatus.h"
 
 #include "vtkAlgorithmOutput.h"
@@ -225,7 +225,7 @@ dgg::Status DGGFilterInternals::Follow(
 //------------------------------------------------------------------------------
 dgg::Status DGGFilterInternals::CheckAllProperties() const
 {
-  DGG_RETURN_IF_ERROR(DGGCheckLengths({ { "MergeTolerance", this->Filter->MergeTolerance },
+  DGG_RETURN_IF_ERROR(dgg::CheckLengths({ { "MergeTolerance", this->Filter->MergeTolerance },
     { "MemoryLimit", static_cast<double>(this->Filter->MemoryLimit) } }));
   return this->CheckProperties();
 }

@@ -8,11 +8,10 @@
 
 #include "dggLoopSearch.h"
 #include "dggOutput.h"
+#include "dggPropertyChecks.h"
 
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
-
-#include <cmath>
 
 vtkStandardNewMacro(vtkDGGLoop);
 vtkDGGDefineInputMacro(vtkDGGLoop, Point, 1);
@@ -89,11 +88,10 @@ vtkPolyData* vtkDGGLoop::GetTape()
 //------------------------------------------------------------------------------
 dgg::Status vtkDGGLoop::vtkInternals::CheckProperties() const
 {
-  DGG_RETURN_IF_ERROR(DGGCheckLengths({ { "ProjectionTolerance", this->Self->ProjectionTolerance },
-    { "TapeWidth", this->Self->TapeWidth } }));
-  return std::isinf(this->Self->TapeWidth)
-    ? dgg::InvalidValue("TapeWidth", this->Self->TapeWidth).Fix("Set {TapeWidth} to a finite width")
-    : DGGGraphInternalsOf::CheckProperties();
+  DGG_RETURN_IF_ERROR(
+    dgg::CheckLengths({ { "ProjectionTolerance", this->Self->ProjectionTolerance } }));
+  DGG_RETURN_IF_ERROR(dgg::CheckTapeWidth(this->Self->TapeWidth));
+  return DGGGraphInternalsOf::CheckProperties();
 }
 
 //------------------------------------------------------------------------------

@@ -10,6 +10,7 @@
 #include "dggOutput.h"
 #include "dggPathSearch.h"
 #include "dggPreparedSurface.h"
+#include "dggPropertyChecks.h"
 #include "dggStatus.h"
 
 #include "vtkCellArray.h"
@@ -148,8 +149,9 @@ vtkIdType vtkDGGPath::GetPairEnd(vtkIdType i) const
 //------------------------------------------------------------------------------
 dgg::Status vtkDGGPath::vtkInternals::CheckProperties() const
 {
-  DGG_RETURN_IF_ERROR(DGGCheckLengths({ { "ProjectionTolerance", this->Self->ProjectionTolerance },
-    { "Detour", this->Self->Detour } }));
+  DGG_RETURN_IF_ERROR(
+    dgg::CheckLengths({ { "ProjectionTolerance", this->Self->ProjectionTolerance },
+      { "Detour", this->Self->Detour } }));
   return DGGGraphInternalsOf::CheckProperties();
 }
 

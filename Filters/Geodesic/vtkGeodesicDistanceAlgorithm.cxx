@@ -8,6 +8,7 @@
 #include "DGGProperties.h"
 #include "DGGSources.h"
 
+#include "dggPropertyChecks.h"
 #include "dggSourceCollection.h"
 
 #include "vtkPointData.h"
@@ -148,23 +149,9 @@ DGGDistanceInternals::DGGDistanceInternals(vtkGeodesicDistanceAlgorithm* filter)
 //------------------------------------------------------------------------------
 dgg::Status DGGDistanceInternals::CheckProperties() const
 {
-  DGG_RETURN_IF_ERROR(DGGCheckLengths({ { "MaximumDistance", this->Filter->MaximumDistance },
-    { "ProjectionTolerance", this->Filter->ProjectionTolerance } }));
-  std::vector<std::pair<std::string, std::string>> names = { { "DistanceArrayName",
-    this->Filter->DistanceArrayName } };
-  if (this->Filter->GenerateNearestSource)
-  {
-    names.emplace_back("SourceArrayName", this->Filter->SourceArrayName);
-  }
-  if (this->Filter->GenerateVirtualSource)
-  {
-    names.emplace_back("VirtualSourceArrayName", this->Filter->VirtualSourceArrayName);
-  }
-  for (const dgg::VertexArray& array : this->DeclareArrays())
-  {
-    names.emplace_back(array.Property, array.Name);
-  }
-  return DGGCheckNames(names);
+  DGG_RETURN_IF_ERROR(
+    dgg::CheckLengths({ { "ProjectionTolerance", this->Filter->ProjectionTolerance } }));
+  return this->MakeRequest().Check();
 }
 
 //------------------------------------------------------------------------------
@@ -179,7 +166,7 @@ dgg::DistanceRequest DGGDistanceInternals::MakeRequest() const
 {
   dgg::DistanceRequest request;
   request.MaximumDistance =
-    this->Filter->MaximumDistance < VTK_DOUBLE_MAX ? this->Filter->MaximumDistance : dgg::Infinity;
+    this->Filter->MaximumDistance >= VTK_DOUBLE_MAX ? dgg::Infinity : this->Filter->MaximumDistance;
   request.UnreachedValue = this->Filter->UnreachedValue;
   request.WantNearestSource = this->Filter->GenerateNearestSource;
   request.WantVirtualSource = this->Filter->GenerateVirtualSource;

@@ -8,6 +8,7 @@
 #include "DGGSources.h"
 
 #include "dggMatrixSearch.h"
+#include "dggPropertyChecks.h"
 #include "dggSourceCollection.h"
 
 #include "vtkDataSetAttributes.h"
@@ -172,8 +173,9 @@ int vtkGeodesicDistanceMatrix::FillOutputPortInformation(int vtkNotUsed(port), v
 //------------------------------------------------------------------------------
 dgg::Status vtkGeodesicDistanceMatrix::vtkInternals::CheckProperties() const
 {
-  DGG_RETURN_IF_ERROR(DGGCheckLengths({ { "ProjectionTolerance", this->Self->ProjectionTolerance },
-    { "MaximumDistance", this->Self->MaximumDistance } }));
+  DGG_RETURN_IF_ERROR(
+    dgg::CheckLengths({ { "ProjectionTolerance", this->Self->ProjectionTolerance },
+      { "MaximumDistance", this->Self->MaximumDistance } }));
   return DGGGraphInternalsOf::CheckProperties();
 }
 

@@ -11,6 +11,7 @@
 
 #include "dggOutput.h"
 #include "dggPatchOutput.h"
+#include "dggPropertyChecks.h"
 
 #include "vtkCellArray.h"
 #include "vtkObjectFactory.h"
@@ -85,7 +86,7 @@ void vtkGeodesicPatchBoundaries::RemoveAllLandmarks()
 //------------------------------------------------------------------------------
 dgg::Status vtkGeodesicPatchBoundaries::vtkInternals::CheckProperties() const
 {
-  return DGGCheckLengths({ { "ProjectionTolerance", this->Self->ProjectionTolerance } });
+  return dgg::CheckLengths({ { "ProjectionTolerance", this->Self->ProjectionTolerance } });
 }
 
 //------------------------------------------------------------------------------

@@ -11,6 +11,7 @@
 
 #include "dggFieldReader.h"
 #include "dggProgressPart.h"
+#include "dggPropertyChecks.h"
 #include "dggSurfacePoint.h"
 
 #include "vtkDoubleArray.h"
@@ -72,7 +73,7 @@ void vtkGeodesicProbe::PrintSelf(ostream& os, vtkIndent indent)
 //------------------------------------------------------------------------------
 dgg::Status vtkGeodesicProbe::vtkInternals::CheckProperties() const
 {
-  return DGGCheckLengths({ { "ProjectionTolerance", this->Self->ProjectionTolerance } });
+  return dgg::CheckLengths({ { "ProjectionTolerance", this->Self->ProjectionTolerance } });
 }
 
 //------------------------------------------------------------------------------

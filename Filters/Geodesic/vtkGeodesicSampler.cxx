@@ -8,6 +8,7 @@
 
 #include "dggOutput.h"
 #include "dggPreparedSurface.h"
+#include "dggPropertyChecks.h"
 #include "dggSampleSearch.h"
 #include "dggStatus.h"
 
@@ -81,7 +82,7 @@ dgg::Status vtkGeodesicSampler::vtkInternals::CheckProperties() const
     return dgg::InvalidValue("NumberOfSamples", this->Self->NumberOfSamples)
       .Fix("Use a number of at least 1");
   }
-  DGG_RETURN_IF_ERROR(DGGCheckLengths({ { "CoveringRadius", this->Self->CoveringRadius },
+  DGG_RETURN_IF_ERROR(dgg::CheckLengths({ { "CoveringRadius", this->Self->CoveringRadius },
     { "ProjectionTolerance", this->Self->ProjectionTolerance } }));
   return DGGGraphInternalsOf::CheckProperties();
 }

@@ -11,6 +11,7 @@
 #include "dggOutput.h"
 #include "dggPreparedSurface.h"
 #include "dggPropagationSession.h"
+#include "dggPropertyChecks.h"
 #include "dggVoronoiTask.h"
 
 #include "vtkCellData.h"
@@ -122,14 +123,15 @@ vtkPolyData* vtkGeodesicVoronoi::GetSites()
 //------------------------------------------------------------------------------
 dgg::Status vtkGeodesicVoronoi::vtkInternals::CheckProperties() const
 {
-  DGG_RETURN_IF_ERROR(DGGCheckLengths({ { "ProjectionTolerance", this->Self->ProjectionTolerance },
-    { "Tolerance", this->Self->Tolerance } }));
+  DGG_RETURN_IF_ERROR(
+    dgg::CheckLengths({ { "ProjectionTolerance", this->Self->ProjectionTolerance },
+      { "Tolerance", this->Self->Tolerance } }));
   if (this->Self->NumberOfIterations < 0)
   {
     return dgg::InvalidValue("NumberOfIterations", this->Self->NumberOfIterations)
       .Fix("Use a number of at least 0");
   }
-  DGG_RETURN_IF_ERROR(DGGCheckNames({ { "DistanceArrayName", this->Self->DistanceArrayName },
+  DGG_RETURN_IF_ERROR(dgg::CheckNames({ { "DistanceArrayName", this->Self->DistanceArrayName },
     { "SourceArrayName", this->Self->SourceArrayName } }));
   if (this->Self->Preview && this->Self->Centroidal)
   {

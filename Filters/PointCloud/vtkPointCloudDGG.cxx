@@ -7,11 +7,11 @@
 #include "DGGGraphArrays.h"
 #include "DGGMakeArray.h"
 #include "DGGOutput.h"
-#include "DGGProperties.h"
 #include "DGGSurfaceParts.h"
 
 #include "dggCloudGraphBuilder.h"
 #include "dggCounted.h"
+#include "dggPropertyChecks.h"
 #include "dggStatus.h"
 #include "dggSurfaceOutput.h"
 
@@ -108,7 +108,8 @@ dgg::Status vtkPointCloudDGG::vtkInternals::CheckProperties() const
     return dgg::InvalidValue("NumberOfNeighbors", this->Self->NumberOfNeighbors)
       .Fix("Use a number of at least ", FewestNeighbors);
   }
-  DGG_RETURN_IF_ERROR(DGGCheckNames({ { "ComponentArrayName", this->Self->ComponentArrayName } }));
+  DGG_RETURN_IF_ERROR(
+    dgg::CheckNames({ { "ComponentArrayName", this->Self->ComponentArrayName } }));
   return dgg::CloudGraphBuilder::Check(this->MakeOptions());
 }
 

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHarmonicBSpline.h"
 
-#include "DGGProperties.h"
 #include "DGGSources.h"
 #include "DGGSpectralInternals.h"
 #include "DGGSurfaceArrays.h"
 
+#include "dggPropertyChecks.h"
 #include "dggSplineTask.h"
 #include "dggStatus.h"
 
@@ -96,10 +96,8 @@ vtkIdType vtkHarmonicBSpline::GetUsedSite(vtkIdType site) const
 dgg::Status vtkHarmonicBSpline::vtkInternals::CheckProperties() const
 {
   DGG_RETURN_IF_ERROR(DGGSpectralInternals::CheckProperties());
-  return DGGCheckNames({ { "ResultArrayName", this->Self->GetResultArrayName() },
-    { "CellArrayName", this->Self->CellArrayName },
-    { "SolutionArrayName", this->Self->SolutionArrayName },
-    { "InterpolationArrayName", this->Self->InterpolationArrayName } });
+  return dgg::SplineTask::CheckNames(this->Self->GetResultArrayName(), this->Self->CellArrayName,
+    this->Self->SolutionArrayName, this->Self->InterpolationArrayName);
 }
 
 //------------------------------------------------------------------------------

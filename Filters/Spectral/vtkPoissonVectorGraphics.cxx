@@ -10,6 +10,7 @@
 #include "DGGSurfaceArrays.h"
 
 #include "dggGraphicsTask.h"
+#include "dggPropertyChecks.h"
 
 #include "vtkCellData.h"
 #include "vtkObjectFactory.h"
@@ -145,15 +146,8 @@ vtkTypeUInt64 vtkPoissonVectorGraphics::GetMemorySize() const
 //------------------------------------------------------------------------------
 dgg::Status vtkPoissonVectorGraphics::vtkInternals::CheckProperties() const
 {
-  DGG_RETURN_IF_ERROR(DGGCheckNames({ { "ResultArrayName", this->Self->ResultArrayName } }));
-  if (dgg::GraphicsTask::IsTaken(this->Self->ResultArrayName))
-  {
-    return dgg::InvalidInput("{ResultArrayName} is '", this->Self->ResultArrayName,
-      "', the name of another array of the output")
-      .At("ResultArrayName")
-      .Fix("Use another name");
-  }
-  return DGGCheckLengths(
+  DGG_RETURN_IF_ERROR(dgg::GraphicsTask::CheckName(this->Self->ResultArrayName));
+  return dgg::CheckLengths(
     { { "Width", this->Self->Width }, { "ProjectionTolerance", this->Self->ProjectionTolerance } });
 }
 

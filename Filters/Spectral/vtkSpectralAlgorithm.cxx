@@ -8,6 +8,7 @@
 #include "DGGSources.h"
 #include "DGGSpectralInternals.h"
 
+#include "dggPropertyChecks.h"
 #include "dggSpectralTask.h"
 
 #include "vtkPolyData.h"
@@ -110,8 +111,8 @@ DGGSpectralInternals::DGGSpectralInternals(vtkSpectralAlgorithm* filter)
 //------------------------------------------------------------------------------
 dgg::Status DGGSpectralInternals::CheckProperties() const
 {
-  DGG_RETURN_IF_ERROR(DGGCheckNames({ { "ResultArrayName", this->Filter->ResultArrayName } }));
-  return DGGCheckLengths({ { "ProjectionTolerance", this->Filter->ProjectionTolerance } });
+  DGG_RETURN_IF_ERROR(dgg::CheckNames({ { "ResultArrayName", this->Filter->ResultArrayName } }));
+  return dgg::CheckLengths({ { "ProjectionTolerance", this->Filter->ProjectionTolerance } });
 }
 
 //------------------------------------------------------------------------------

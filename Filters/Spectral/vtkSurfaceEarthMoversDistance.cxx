@@ -11,6 +11,7 @@
 
 #include "dggEarthMoversTask.h"
 #include "dggPoissonSession.h"
+#include "dggPropertyChecks.h"
 
 #include "vtkCellData.h"
 #include "vtkObjectFactory.h"
@@ -113,7 +114,7 @@ void vtkSurfaceEarthMoversDistance::vtkInternals::ForgetResults()
 //------------------------------------------------------------------------------
 dgg::Status vtkSurfaceEarthMoversDistance::vtkInternals::CheckProperties() const
 {
-  return DGGCheckLengths({ { "Tolerance", this->Self->Tolerance },
+  return dgg::CheckLengths({ { "Tolerance", this->Self->Tolerance },
     { "ProjectionTolerance", this->Self->ProjectionTolerance } });
 }
 

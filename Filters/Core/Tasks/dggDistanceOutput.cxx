@@ -4,6 +4,7 @@
 
 #include "dggPreparedSurface.h"
 #include "dggProgressPart.h"
+#include "dggPropertyChecks.h"
 #include "dggSourceCollection.h"
 #include "dggStoredWindows.h"
 #include "dggTaskContext.h"
@@ -12,6 +13,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 
 namespace dgg
 {
@@ -105,6 +107,27 @@ bool AreMostReached(const std::vector<bool>& isReached)
 {
   return 2 * std::count(isReached.begin(), isReached.end(), true) >
     static_cast<std::ptrdiff_t>(isReached.size());
+}
+
+//------------------------------------------------------------------------------
+Status DistanceRequest::Check() const
+{
+  DGG_RETURN_IF_ERROR(CheckLengths({ { "MaximumDistance", this->MaximumDistance } }));
+  std::vector<std::pair<std::string, std::string>> names = { { "DistanceArrayName",
+    this->Names.Distance } };
+  if (this->WantNearestSource)
+  {
+    names.emplace_back("SourceArrayName", this->Names.Source);
+  }
+  if (this->WantVirtualSource)
+  {
+    names.emplace_back("VirtualSourceArrayName", this->Names.VirtualSource);
+  }
+  for (const VertexArray& array : this->Arrays)
+  {
+    names.emplace_back(array.Property, array.Name);
+  }
+  return CheckNames(names);
 }
 
 //------------------------------------------------------------------------------

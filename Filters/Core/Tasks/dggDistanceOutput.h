@@ -68,8 +68,11 @@ struct DistanceNames
 };
 
 /// What a user requests of distances.
-struct DistanceRequest
+struct DGG_CORE_EXPORT DistanceRequest
 {
+  /// Fails if a limit is negative or NaN, or if the name of an array is empty or used twice.
+  Status Check() const;
+
   double MaximumDistance = Infinity;
   double UnreachedValue = std::numeric_limits<double>::quiet_NaN();
   bool WantNearestSource = false;

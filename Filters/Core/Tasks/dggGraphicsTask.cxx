@@ -4,7 +4,7 @@
 
 #include "dggGraphicsFragments.h"
 #include "dggProgressPart.h"
-#include "dggStatus.h"
+#include "dggPropertyChecks.h"
 #include "dggSurfaceOutput.h"
 #include "dggTaskContext.h"
 
@@ -285,9 +285,16 @@ Status GraphicsTask::Run(const TaskContext& context, const GraphicsDrawing& draw
 }
 
 //------------------------------------------------------------------------------
-bool GraphicsTask::IsTaken(const std::string& name)
+Status GraphicsTask::CheckName(const std::string& resultName)
 {
-  return name == ShownName || name == ComponentName;
+  if (resultName != ShownName && resultName != ComponentName)
+  {
+    return CheckNames({ { "ResultArrayName", resultName } });
+  }
+  return InvalidInput(
+    "{ResultArrayName} is '", resultName, "', the name of another array of the output")
+    .At("ResultArrayName")
+    .Fix("Use another name");
 }
 
 //------------------------------------------------------------------------------

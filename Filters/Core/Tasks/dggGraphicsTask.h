@@ -42,8 +42,8 @@ struct GraphicsSettings
 class DGG_CORE_EXPORT GraphicsTask
 {
 public:
-  /// Returns true if an array of the output other than the values has this name.
-  static bool IsTaken(const std::string& name);
+  /// Fails if the name of the result is empty or that of another array of the output.
+  static Status CheckName(const std::string& resultName);
 
   /// Computes the colored surface, and fragments if wanted. `places` are the points of all curves
   /// in succession.

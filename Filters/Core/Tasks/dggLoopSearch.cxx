@@ -11,6 +11,7 @@
 #include "dggOutput.h"
 #include "dggPreparedSurface.h"
 #include "dggProgressPart.h"
+#include "dggPropertyChecks.h"
 #include "dggStatus.h"
 #include "dggSurfaceOutput.h"
 
@@ -132,6 +133,15 @@ double RoundUp(double x)
 {
   return x * (1.0 + 1e-5);
 }
+}
+
+//------------------------------------------------------------------------------
+Status CheckTapeWidth(double width)
+{
+  DGG_RETURN_IF_ERROR(CheckLengths({ { "TapeWidth", width } }));
+  return width < Infinity
+    ? Status::Success()
+    : InvalidValue("TapeWidth", width).Fix("Set {TapeWidth} to a finite width");
 }
 
 //------------------------------------------------------------------------------

@@ -47,6 +47,8 @@ struct LoopSet
   std::vector<std::vector<SurfacePath>> OffsetCurves; ///< per loop; empty without tapes
 };
 
+/// Fails for a width that is negative or not finite.
+DGG_CORE_EXPORT Status CheckTapeWidth(double width);
 /// Fails for a rope through fewer than three different points.
 DGG_CORE_EXPORT Status CheckLoopOptions(const LoopOptions& options);
 

@@ -8,6 +8,7 @@
 #include "dggHarmonicSplines.h"
 #include "dggPreparedSurface.h"
 #include "dggProgressPart.h"
+#include "dggPropertyChecks.h"
 #include "dggSplineSites.h"
 #include "dggStatus.h"
 #include "dggTaskContext.h"
@@ -248,6 +249,14 @@ private:
   std::vector<double> AtSites;   // basis functions of order 1, in succession
   std::vector<double> Evaluated; // per target and site; empty unless smooth
 };
+}
+
+//------------------------------------------------------------------------------
+Status SplineTask::CheckNames(const std::string& result, const std::string& cell,
+  const std::string& solution, const std::string& interpolation)
+{
+  return dgg::CheckNames({ { "ResultArrayName", result }, { "CellArrayName", cell },
+    { "SolutionArrayName", solution }, { "InterpolationArrayName", interpolation } });
 }
 
 //------------------------------------------------------------------------------

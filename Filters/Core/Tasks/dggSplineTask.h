@@ -35,6 +35,10 @@ public:
   Offset NumberOfGivenPoints = 0; ///< number of these others
   ///@}
 
+  /// Fails if a name is empty or used twice.
+  static Status CheckNames(const std::string& result, const std::string& cell,
+    const std::string& solution, const std::string& interpolation);
+
   /// Returns the vertex of each site; -1 if a site is not a vertex. Empty after Forget() and after
   /// a failure.
   const std::vector<Offset>& GetUsedSites() const { return this->UsedSites; }

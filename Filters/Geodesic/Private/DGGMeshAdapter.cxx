@@ -4,8 +4,7 @@
 
 #include "DGGSurfaceArrays.h"
 
-#include "dggCounted.h"
-#include "dggStatus.h"
+#include "dggPropertyChecks.h"
 
 #include "vtkCellArray.h"
 #include "vtkDataArray.h"
@@ -58,15 +57,10 @@ DGGMeshAdapter::Key DGGMeshAdapter::MakeKey(vtkPolyData* input, const dgg::Domai
 //------------------------------------------------------------------------------
 dgg::Status DGGMeshAdapter::CheckSurface(vtkPolyData* input)
 {
-  if (input->GetNumberOfPolys() + input->GetNumberOfStrips() > 0)
-  {
-    return dgg::Status::Success();
-  }
-  const vtkIdType n = input->GetNumberOfPoints();
-  return dgg::InvalidInput(
-    "The input has ", dgg::Counted(n, "point"), " but no polygons or triangle strips")
-    .Fix("Connect a surface mesh. A point cloud needs the graph of vtkPointCloudDGG (in Python: "
-         "vtkdgg.CloudGraph) and a filter that accepts clouds, such as vtkDGGDistance");
+  return dgg::CheckCells(input->GetNumberOfPoints(),
+    input->GetNumberOfPolys() + input->GetNumberOfStrips(),
+    "Connect a surface mesh. A point cloud needs the graph of vtkPointCloudDGG (in Python: "
+    "vtkdgg.CloudGraph) and a filter that accepts clouds, such as vtkDGGDistance");
 }
 
 //------------------------------------------------------------------------------

@@ -5,6 +5,8 @@
 #include "Arrays.h"
 #include "Errors.h"
 
+#include "dggPropertyChecks.h"
+
 #include <limits>
 
 namespace dggPython
@@ -111,11 +113,7 @@ void Arguments::Read(const char* name, std::vector<double>& values)
 void Arguments::ReadLength(const char* name, double& value)
 {
   this->Read(name, value);
-  if (!(value >= 0.0)) // also true for NaN
-  {
-    ThrowUnlessOk(
-      dgg::InvalidInput("`", name, "` is ", value).At(name).Fix("Use a number of at least 0"));
-  }
+  ThrowUnlessOk(dgg::CheckLengths({ { GetPropertyName(name), value } }));
 }
 
 //------------------------------------------------------------------------------

@@ -3,6 +3,7 @@
 #include "Arguments.h"
 #include "Call.h"
 #include "Distances.h"
+#include "Errors.h"
 #include "Graph.h"
 #include "Module.h"
 #include "Outputs.h"
@@ -156,7 +157,8 @@ py::object FindLoops(const py::object& target, const py::object& points, const p
       { "AroundHandles", dgg::LoopOptions::AroundHandles }, { "Rope", dgg::LoopOptions::Rope } },
     options.Kind);
   arguments.Read("taut", options.Taut);
-  arguments.ReadLength("tape_width", options.TapeWidth);
+  arguments.Read("tape_width", options.TapeWidth);
+  ThrowUnlessOk(dgg::CheckTapeWidth(options.TapeWidth));
   const SurfaceOrGraph input(target);
   const bool isThroughPoints = options.Kind != dgg::LoopOptions::AroundHandles;
   const Graph* const graph = isThroughPoints ? &input.GetGraph("Loops through points") : nullptr;

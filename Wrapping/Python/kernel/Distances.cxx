@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Distances.h"
 
+#include "Errors.h"
+
 namespace dggPython
 {
 //------------------------------------------------------------------------------
@@ -20,7 +22,7 @@ Distances::Distances(const py::handle& sources, Arguments& arguments)
   this->Request.Names = { DistanceName, SourceName, VirtualSourceName };
   this->Sources.ReadInitialDistances(arguments);
   this->Sources.ReadTolerance(arguments);
-  arguments.ReadLength("maximum_distance", this->Request.MaximumDistance);
+  arguments.Read("maximum_distance", this->Request.MaximumDistance);
   arguments.Read("unreached_value", this->Request.UnreachedValue);
   arguments.Read("generate_nearest_source", this->Request.WantNearestSource);
   arguments.Read("generate_virtual_source", this->Request.WantVirtualSource);
@@ -39,6 +41,7 @@ void Distances::RequestUpperBound(const std::string& name)
 //------------------------------------------------------------------------------
 py::object Distances::Run(Call& call, const Surface& surface, const char* what, const Step& step)
 {
+  ThrowUnlessOk(this->Request.Check());
   dgg::DistanceOutput output;
   call.Run([&] {
     const dgg::TaskContext context = call.MakeContext(surface);

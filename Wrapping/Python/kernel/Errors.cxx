@@ -88,6 +88,19 @@ std::string GetArgumentName(const std::string& property)
 }
 
 //------------------------------------------------------------------------------
+std::string GetPropertyName(const std::string& argument)
+{
+  std::string name;
+  bool isStart = true;
+  for (const unsigned char c : argument)
+  {
+    name += c == '_' ? "" : std::string(1, static_cast<char>(isStart ? std::toupper(c) : c));
+    isStart = c == '_';
+  }
+  return name;
+}
+
+//------------------------------------------------------------------------------
 std::string RenderMessage(const std::string& message)
 {
   return dgg::Render(

@@ -37,6 +37,8 @@ void ThrowUnlessOk(const dgg::Status& status);
 
 /// Returns the argument of a property: "maximum_distance" for "MaximumDistance".
 std::string GetArgumentName(const std::string& property);
+/// Returns the property of an argument: the inverse of GetArgumentName().
+std::string GetPropertyName(const std::string& argument);
 /// Returns a message with arguments, in backticks, in place of properties in braces.
 std::string RenderMessage(const std::string& message);
 /// Returns warnings as sentences with final periods.

@@ -4,12 +4,14 @@
 #include "Arrays.h"
 #include "Call.h"
 #include "Distances.h"
+#include "Errors.h"
 #include "Module.h"
 #include "Outputs.h"
 #include "SurfacePoints.h"
 
 #include "dggGreensTask.h"
 #include "dggPoissonSession.h"
+#include "dggPropertyChecks.h"
 #include "dggSpectralDistanceTask.h"
 #include "dggSplineTask.h"
 
@@ -111,9 +113,11 @@ public:
       this->Options.Boundary);
     arguments.Read("intrinsic_delaunay", this->Options.IntrinsicDelaunay);
     arguments.Read("result_array_name", this->ResultName);
+    ThrowUnlessOk(dgg::CheckNames({ { "ResultArrayName", this->ResultName } }));
   }
 
   SurfacePoints& GetSources() { return this->Sources; }
+  const std::string& GetResultName() const { return this->ResultName; }
 
   /// Runs a task whose other options are set.
   py::tuple Run(
@@ -271,6 +275,8 @@ py::object FindSpline(const Surface& surface, const py::object& sources, const p
     surface.GetPool<SpectralSession<dgg::SplineTask>>());
   dgg::SplineTask& task = session->Function;
   ReadSplineOptions(arguments, task);
+  ThrowUnlessOk(dgg::SplineTask::CheckNames(
+    spectral.GetResultName(), task.CellName, task.SolutionName, task.InterpolationName));
   task.Forget();
   task.RightHandSide = ToInputArray(arguments.Take("right_hand_side"), "right_hand_side");
   task.SurfaceValues = ToInputArray(arguments.Take("surface_values"), "surface_values");

@@ -9,7 +9,7 @@
 #include "Outputs.h"
 #include "SurfacePoints.h"
 
-#include "dggCounted.h"
+#include "dggPropertyChecks.h"
 #include "dggStatus.h"
 #include "dggSurfaceOutput.h"
 
@@ -66,17 +66,6 @@ Raises
 ------
 Error
     For coordinates that are not finite, and for positions that are too far away.)";
-
-/// Returns an error if a surface has no polygons.
-dgg::Status CheckSurface(const dgg::SurfaceArrays& input)
-{
-  return input.Polygons.NumberOfCells + input.Strips.NumberOfCells > 0
-    ? dgg::Status::Success()
-    : dgg::InvalidInput("The input has ", dgg::Counted(input.NumberOfPoints, "point"),
-        " but no polygons or triangle strips")
-        .At("Cells")
-        .Fix("Pass {Cells}, or turn on {Cloud}");
-}
 
 dgg::Domain ReadDomain(Arguments& arguments)
 {
@@ -154,7 +143,10 @@ Surface::Surface(const py::handle& points, const py::handle& cells, const py::kw
   dgg::SurfaceArrays input = this->Input;
   input.Points = positions.data();
   call.Run([&] {
-    DGG_RETURN_IF_ERROR(isCloud ? dgg::Status::Success() : CheckSurface(input));
+    DGG_RETURN_IF_ERROR(isCloud ? dgg::Status::Success()
+                                : dgg::CheckCells(input.NumberOfPoints,
+                                    input.Polygons.NumberOfCells + input.Strips.NumberOfCells,
+                                    "Pass {Cells}, or turn on {Cloud}"));
     return dgg::PreparedSurface::Make(
       input, domain, dgg::PreparedSurface::ComputeFingerprint(input, domain), this->Prepared);
   });

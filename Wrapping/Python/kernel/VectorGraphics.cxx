@@ -4,6 +4,7 @@
 #include "Arrays.h"
 #include "Call.h"
 #include "Distances.h"
+#include "Errors.h"
 #include "Module.h"
 #include "Outputs.h"
 #include "SurfacePoints.h"
@@ -163,6 +164,7 @@ dgg::GraphicsSettings ReadSettings(Arguments& arguments)
   settings.MemoryRemedy =
     "Use a smaller mesh or a lower {RefinementLevel}, or refine near curves only";
   arguments.Read("result_array_name", settings.ResultName);
+  ThrowUnlessOk(dgg::GraphicsTask::CheckName(settings.ResultName));
   arguments.Read("background_color", settings.Background);
   arguments.Read("refinement_level", settings.RefinementLevel);
   arguments.ReadChoice("refinement_region",
