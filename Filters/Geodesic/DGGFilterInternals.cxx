@@ -268,7 +268,10 @@ dgg::Status DGGFilterInternals::Compute(
 //------------------------------------------------------------------------------
 void DGGFilterInternals::Warn(const std::string& text) const
 {
-  vtkWarningWithObjectMacro(this->Filter, << dgg::Render(text) << ".");
+  if (!text.empty())
+  {
+    vtkWarningWithObjectMacro(this->Filter, << dgg::Render(text) << ".");
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -332,11 +335,7 @@ void DGGFilterInternals::WarnAboutGaps(const std::vector<bool>& isReached)
     return;
   }
   this->GapsBuildTime = this->Mesh->GetBuildTime();
-  const std::string warning = this->Mesh->Get().DescribeGaps(isReached);
-  if (!warning.empty())
-  {
-    this->Warn(warning);
-  }
+  this->Warn(this->Mesh->Get().DescribeGaps(isReached));
 }
 
 //------------------------------------------------------------------------------

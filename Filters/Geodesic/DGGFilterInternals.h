@@ -100,6 +100,7 @@ public:
 
   ///@{
   /// Reports warnings, which have no final period and name properties in braces (dggStatus.h).
+  /// Empty texts are ignored.
   void Warn(const std::string& text) const;
   void Warn(const std::vector<std::string>& texts) const;
   ///@}

@@ -18,8 +18,8 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
+#include <string>
 
 vtkStandardNewMacro(vtkApolloniusIsolines);
 
@@ -27,11 +27,6 @@ namespace
 {
 /// Progress weight of reading windows and virtual sources.
 constexpr double ReadingShare = 0.4;
-
-constexpr double RadiansPerDegree = dgg::Pi / 180.0;
-
-/// Smallest ChordTolerance: time and memory grow without bound as the tolerance decreases.
-constexpr double SmallestChordTolerance = 1e-6;
 }
 
 //------------------------------------------------------------------------------
@@ -51,10 +46,8 @@ public:
   }
 
 private:
-  std::vector<double> CopyValues() const;
-  dgg::IsolineTaskOptions MakeOptions(const dgg::DistanceField& field) const;
-  void WarnAbout(const dgg::FieldReader& reader);
-  void WarnAboutNoLine(const dgg::FieldReader& reader, const dgg::Isolines& lines);
+  dgg::IsolineTaskOptions MakeOptions() const;
+  void WarnAboutNoLine(const std::string& warning);
   dgg::Status FillOutputs(const DGGContext& context, const std::vector<double>& values,
     const dgg::IsolineResult& result, const std::string& distances,
     vtkInformationVector* outputVector);
@@ -176,46 +169,9 @@ const char* vtkApolloniusIsolines::GetMethodAsString() const
 }
 
 //------------------------------------------------------------------------------
-std::vector<double> vtkApolloniusIsolines::vtkInternals::CopyValues() const
-{
-  const int count = this->Self->ContourValues->GetNumberOfContours();
-  std::vector<double> values(std::max(0, count));
-  for (int i = 0; i < count; ++i)
-  {
-    values[i] = this->Self->ContourValues->GetValue(i);
-  }
-  return values;
-}
-
-//------------------------------------------------------------------------------
 dgg::Status vtkApolloniusIsolines::vtkInternals::CheckProperties() const
 {
-  if (this->Self->SteinerPoints < 0 || this->Self->SteinerPoints > dgg::MaximumSteinerPoints)
-  {
-    return dgg::InvalidValue("SteinerPoints", this->Self->SteinerPoints)
-      .Fix("Use a number from 0 to ", dgg::MaximumSteinerPoints);
-  }
-  if (!(this->Self->ChordTolerance >= SmallestChordTolerance))
-  {
-    return dgg::InvalidValue("ChordTolerance", this->Self->ChordTolerance)
-      .Fix("Use a number of at least ", SmallestChordTolerance);
-  }
-  if (!(this->Self->MinimumRidgeAngle >= 0.0 && this->Self->MinimumRidgeAngle <= 180.0))
-  {
-    return dgg::InvalidValue("MinimumRidgeAngle", this->Self->MinimumRidgeAngle)
-      .Fix("Use degrees from 0 to 180");
-  }
-  const std::vector<double> values = this->CopyValues();
-  for (std::size_t i = 0; i < values.size(); ++i)
-  {
-    if (!std::isfinite(values[i]))
-    {
-      return dgg::InvalidInput("Value ", i, " is ", values[i])
-        .At("Values", static_cast<dgg::Offset>(i))
-        .Fix("Use a finite number");
-    }
-  }
-  return dgg::Status::Success();
+  return this->MakeOptions().Check();
 }
 
 //------------------------------------------------------------------------------
@@ -238,12 +194,14 @@ dgg::Status vtkApolloniusIsolines::vtkInternals::Execute(const DGGContext& conte
   DGG_RETURN_IF_ERROR(DGGReadField(context, distances, this->Self->UnreachedValue,
     this->Self->Method == Linear ? nullptr : this->Self->VirtualSourceArrayName.c_str(),
     dgg::ProgressPart(context.Progress, 0.0, ReadingShare), reader));
-  this->WarnAbout(reader);
+  const dgg::IsolineTaskOptions options = this->MakeOptions();
+  this->WarnAboutQuality(reader.DescribeQuality());
+  this->Warn(reader.GetWarnings());
+  this->Warn(dgg::DescribeRidges(options, reader));
   const dgg::DistanceField& field = reader.GetField();
-  const dgg::IsolineTaskOptions options = this->MakeOptions(field);
   DGG_RETURN_IF_ERROR(dgg::FindIsolines(
     context, field, options, dgg::ProgressPart(context.Progress, ReadingShare, 1.0), result));
-  this->WarnAboutNoLine(reader, result.Lines);
+  this->WarnAboutNoLine(dgg::DescribeMissingLines(options, reader, result));
   this->Self->UsedWindows = field.HasWindows();
   this->Self->UsedVirtualSources = field.HasSources();
   this->Self->NumberOfFallbacks = result.Lines.Fallbacks + result.Ridges.Fallbacks;
@@ -252,20 +210,19 @@ dgg::Status vtkApolloniusIsolines::vtkInternals::Execute(const DGGContext& conte
 }
 
 //------------------------------------------------------------------------------
-dgg::IsolineTaskOptions vtkApolloniusIsolines::vtkInternals::MakeOptions(
-  const dgg::DistanceField& field) const
+dgg::IsolineTaskOptions vtkApolloniusIsolines::vtkInternals::MakeOptions() const
 {
-  const bool isKnown = field.HasWindows() || field.HasSources(); // otherwise linear, with a warning
   dgg::IsolineTaskOptions options;
-  options.Values = this->CopyValues();
-  options.Lines.ChordTolerance = this->Self->ChordTolerance * field.Mesh->GetMeanEdgeLength();
-  options.Lines.SteinerPoints = this->Self->SteinerPoints;
-  options.Lines.Method = isKnown && this->Self->Method == Apollonius
-    ? dgg::IsolineMethod::Apollonius
-    : dgg::IsolineMethod::LocalSources;
-  options.Ridges.MinimumAngle = this->Self->MinimumRidgeAngle * RadiansPerDegree;
-  options.Ridges.ChordTolerance = options.Lines.ChordTolerance;
+  for (int i = 0; i < this->Self->ContourValues->GetNumberOfContours(); ++i)
+  {
+    options.Values.push_back(this->Self->ContourValues->GetValue(i));
+  }
+  options.ChordTolerance = this->Self->ChordTolerance;
+  options.Method = this->Self->Method == Apollonius ? dgg::IsolineMethod::Apollonius
+                                                    : dgg::IsolineMethod::LocalSources;
+  options.SteinerPoints = this->Self->SteinerPoints;
   options.WithRidges = this->Self->GenerateRidges;
+  options.MinimumRidgeAngle = this->Self->MinimumRidgeAngle;
   options.WithBands = this->Self->GenerateBands;
   return options;
 }
@@ -276,9 +233,7 @@ dgg::Status vtkApolloniusIsolines::vtkInternals::FillOutputs(const DGGContext& c
   vtkInformationVector* outputVector)
 {
   dgg::Output outputs[3];
-  dgg::WriteIsolines(context, result.Lines, values, outputs[0]);
-  dgg::WriteRidges(context, result.Ridges, outputs[1]);
-  dgg::WriteBands(context, result.Bands, distances, outputs[2]);
+  dgg::WriteIsolines(context, result, values, distances, outputs);
   for (int port = 0; port < 3; ++port)
   {
     DGG_RETURN_IF_ERROR(this->FillOutput(context, outputs[port], outputVector, port));
@@ -287,42 +242,12 @@ dgg::Status vtkApolloniusIsolines::vtkInternals::FillOutputs(const DGGContext& c
 }
 
 //------------------------------------------------------------------------------
-void vtkApolloniusIsolines::vtkInternals::WarnAbout(const dgg::FieldReader& reader)
+/// Warns about missing lines, once for consecutive updates: each move of a source changes the
+/// range.
+void vtkApolloniusIsolines::vtkInternals::WarnAboutNoLine(const std::string& warning)
 {
-  this->WarnAboutQuality(reader.DescribeQuality());
-  this->Warn(reader.GetWarnings());
-  if (this->Self->GenerateRidges && !reader.GetField().HasWindows() &&
-    !reader.GetField().HasSources())
-  {
-    this->Warn("There are no ridges in distances that are linear in each triangle. Use another "
-               "{Method}, and distances with windows or virtual sources");
-  }
-  else if (this->Self->GenerateRidges && reader.HasFittedSources())
-  {
-    this->Warn("Ridges of virtual sources that are fitted to distances alone are not reliable. "
-               "Turn on {GenerateWindows} or {GenerateVirtualSource} of the distance filter");
-  }
-}
-
-//------------------------------------------------------------------------------
-/// Warns if only lines are requested and there are none, once for consecutive updates without
-/// lines: each move of a source changes the range.
-void vtkApolloniusIsolines::vtkInternals::WarnAboutNoLine(
-  const dgg::FieldReader& reader, const dgg::Isolines& lines)
-{
-  const bool isEmpty =
-    lines.Lines.empty() && !this->Self->GenerateRidges && !this->Self->GenerateBands;
-  if (isEmpty && !this->WasEmpty)
-  {
-    const auto [smallest, largest] = reader.FindRange();
-    if (smallest > largest)
-    {
-      return; // no point is reached
-    }
-    this->Warn(dgg::JoinText("There are no isolines: the distances of the points are from ",
-      smallest, " to ", largest, ", and none of the values yields a line"));
-  }
-  this->WasEmpty = isEmpty;
+  this->Warn(this->WasEmpty ? std::string() : warning);
+  this->WasEmpty = !warning.empty();
 }
 
 //------------------------------------------------------------------------------

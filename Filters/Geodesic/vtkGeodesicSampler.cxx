@@ -43,8 +43,7 @@ public:
 
 private:
   DGGSourceSet GetStart(vtkInformationVector** inputVector) const;
-  dgg::Status MakeOptions(
-    const DGGContext& context, vtkInformationVector** inputVector, dgg::SamplerOptions& options);
+  dgg::SamplerOptions MakeOptions() const;
 };
 
 vtkDGGInternalsMacro(vtkGeodesicSampler);
@@ -77,13 +76,9 @@ void vtkGeodesicSampler::PrintSelf(ostream& os, vtkIndent indent)
 //------------------------------------------------------------------------------
 dgg::Status vtkGeodesicSampler::vtkInternals::CheckProperties() const
 {
-  if (this->Self->NumberOfSamples < 1)
-  {
-    return dgg::InvalidValue("NumberOfSamples", this->Self->NumberOfSamples)
-      .Fix("Use a number of at least 1");
-  }
-  DGG_RETURN_IF_ERROR(dgg::CheckLengths({ { "CoveringRadius", this->Self->CoveringRadius },
-    { "ProjectionTolerance", this->Self->ProjectionTolerance } }));
+  DGG_RETURN_IF_ERROR(dgg::CheckSamplerOptions(this->MakeOptions()));
+  DGG_RETURN_IF_ERROR(
+    dgg::CheckLengths({ { "ProjectionTolerance", this->Self->ProjectionTolerance } }));
   return DGGGraphInternalsOf::CheckProperties();
 }
 
@@ -94,28 +89,26 @@ DGGSourceSet vtkGeodesicSampler::vtkInternals::GetStart(vtkInformationVector** i
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkGeodesicSampler::vtkInternals::MakeOptions(
-  const DGGContext& context, vtkInformationVector** inputVector, dgg::SamplerOptions& options)
+dgg::SamplerOptions vtkGeodesicSampler::vtkInternals::MakeOptions() const
 {
+  dgg::SamplerOptions options;
   options.NumberOfSamples = this->Self->NumberOfSamples;
   options.CoveringRadius = this->Self->CoveringRadius;
-  options.InFaces = this->Self->InFaces && !context.Surface.IsCloud();
-  const DGGSourceSet start = this->GetStart(inputVector);
-  if (!start.Points)
-  {
-    return dgg::SetFirstSample(context.Surface, this->Self->FirstSample, options);
-  }
-  return DGGLocate(context, start, this->Self->ProjectionTolerance, options.Given);
+  options.InFaces = this->Self->InFaces;
+  return options;
 }
 
 //------------------------------------------------------------------------------
 dgg::Status vtkGeodesicSampler::vtkInternals::Execute(
   const DGGContext& context, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  dgg::SamplerOptions options;
+  dgg::SamplerOptions options = this->MakeOptions();
+  const DGGSourceSet start = this->GetStart(inputVector);
+  DGG_RETURN_IF_ERROR(start.Points
+      ? DGGLocate(context, start, this->Self->ProjectionTolerance, options.Given)
+      : dgg::SetFirstSample(context.Surface, this->Self->FirstSample, options));
   std::vector<dgg::SurfaceSample> samples;
   dgg::Output output;
-  DGG_RETURN_IF_ERROR(this->MakeOptions(context, inputVector, options));
   DGG_RETURN_IF_ERROR(this->GraphUser.Update(context, this->Self));
   DGG_RETURN_IF_ERROR(dgg::FindSamples(context, this->GraphUser, options, samples));
   dgg::WriteSamples(context, options, samples, output);

@@ -46,8 +46,7 @@ public:
 
 private:
   DGGSourceSet GetSiteSet(vtkInformationVector** inputVector) const;
-  dgg::VoronoiOptions MakeOptions(bool isCloud) const;
-  dgg::Status ComputePreview(const DGGContext& context, dgg::VoronoiResult& result);
+  dgg::VoronoiOptions MakeOptions() const;
   dgg::Status FillOutputs(const DGGContext& context, const dgg::VoronoiOptions& options,
     const dgg::VoronoiResult& result, vtkInformationVector* outputVector);
 
@@ -124,21 +123,8 @@ vtkPolyData* vtkGeodesicVoronoi::GetSites()
 dgg::Status vtkGeodesicVoronoi::vtkInternals::CheckProperties() const
 {
   DGG_RETURN_IF_ERROR(
-    dgg::CheckLengths({ { "ProjectionTolerance", this->Self->ProjectionTolerance },
-      { "Tolerance", this->Self->Tolerance } }));
-  if (this->Self->NumberOfIterations < 0)
-  {
-    return dgg::InvalidValue("NumberOfIterations", this->Self->NumberOfIterations)
-      .Fix("Use a number of at least 0");
-  }
-  DGG_RETURN_IF_ERROR(dgg::CheckNames({ { "DistanceArrayName", this->Self->DistanceArrayName },
-    { "SourceArrayName", this->Self->SourceArrayName } }));
-  if (this->Self->Preview && this->Self->Centroidal)
-  {
-    return dgg::InvalidInput("{Preview} does not move sites")
-      .At("Preview")
-      .Fix("Turn off {Preview} or {Centroidal}");
-  }
+    dgg::CheckLengths({ { "ProjectionTolerance", this->Self->ProjectionTolerance } }));
+  DGG_RETURN_IF_ERROR(this->MakeOptions().Check());
   return DGGGraphInternalsOf::CheckProperties();
 }
 
@@ -149,40 +135,13 @@ DGGSourceSet vtkGeodesicVoronoi::vtkInternals::GetSiteSet(vtkInformationVector**
 }
 
 //------------------------------------------------------------------------------
-/// Computes labels from the sites of the result, without a graph.
-dgg::Status vtkGeodesicVoronoi::vtkInternals::ComputePreview(
-  const DGGContext& context, dgg::VoronoiResult& result)
-{
-  if (context.Surface.IsCloud())
-  {
-    return dgg::InvalidInput("{Preview} needs a surface, but the input is a point cloud")
-      .At("Preview")
-      .Fix("Turn off {Preview}");
-  }
-  dgg::PropagationOptions options;
-  options.Quality = dgg::PropagationSession::Choose(context.Surface);
-  options.WantNearestSource = true;
-  dgg::PropagationResult found;
-  DGG_RETURN_IF_ERROR(this->PreviewSolver.Run(context, result.Sites, options, found)
-                        .Of("{Preview}, which can be turned off"));
-  this->WarnAboutQuality(dgg::JoinReasons(
-    { dgg::DescribeLongTriangles(context.Surface,
-        "cells of {Preview} may be wrong. Turn off {Preview}, or remesh the surface"),
-      found.IsSettled ? ""
-                      : "Distances of {Preview} did not settle on triangles this irregular, so "
-                        "cells may be wrong. Turn off {Preview}" }));
-  result.Diagram.NearestSites = std::move(found.NearestSource);
-  result.Diagram.Distances = std::move(found.Distances);
-  return dgg::Status::Success();
-}
-
-//------------------------------------------------------------------------------
-dgg::VoronoiOptions vtkGeodesicVoronoi::vtkInternals::MakeOptions(bool isCloud) const
+dgg::VoronoiOptions vtkGeodesicVoronoi::vtkInternals::MakeOptions() const
 {
   dgg::VoronoiOptions options;
   options.IsCentroidal = this->Self->Centroidal;
-  options.LabelsOnly = !this->Self->GenerateCells || this->Self->Preview || isCloud;
-  options.IsRefined = this->Self->RefineBoundaries && !options.LabelsOnly;
+  options.LabelsOnly = !this->Self->GenerateCells;
+  options.IsPreview = this->Self->Preview;
+  options.IsRefined = this->Self->RefineBoundaries;
   options.Moving.NumberOfIterations = this->Self->NumberOfIterations;
   options.Moving.Tolerance = this->Self->Tolerance;
   options.DistanceName = this->Self->DistanceArrayName;
@@ -196,13 +155,14 @@ dgg::Status vtkGeodesicVoronoi::vtkInternals::Execute(
   const DGGContext& context, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   const DGGSourceSet set = this->GetSiteSet(inputVector);
-  const dgg::VoronoiOptions options = this->MakeOptions(context.Surface.IsCloud());
+  const dgg::VoronoiOptions options = this->MakeOptions();
   dgg::VoronoiResult result;
   DGG_RETURN_IF_ERROR(
     DGGLocate(context, set, this->Self->ProjectionTolerance, result.Sites, this->Self));
   if (this->Self->Preview)
   {
-    DGG_RETURN_IF_ERROR(this->ComputePreview(context, result));
+    DGG_RETURN_IF_ERROR(dgg::FindVoronoiPreview(context, this->PreviewSolver, result));
+    this->WarnAboutQuality(result.QualityWarning);
   }
   else
   {
@@ -246,5 +206,5 @@ dgg::Status vtkGeodesicVoronoi::vtkInternals::FillOutputs(const DGGContext& cont
 void vtkGeodesicVoronoi::vtkInternals::MakeEmptyOutput(
   const DGGContext& context, vtkInformationVector* outputVector)
 {
-  this->FillOutputs(context, this->MakeOptions(false), dgg::VoronoiResult(), outputVector);
+  this->FillOutputs(context, this->MakeOptions(), dgg::VoronoiResult(), outputVector);
 }

@@ -162,6 +162,10 @@ class ClosedForms(unittest.TestCase):
         spoiled = dict(exact.field_data, **{f"{DISTANCE}.Windows": np.zeros((3, 5))})
         found = kernel.probe(SURFACE, distances, [0], field_data=spoiled)
         self.assertRegex(found.warnings[0], "They are ignored")
+        far = kernel.isolines(SURFACE, distances, values=[99.0], **windows)[0]
+        self.assertRegex(far.warnings[0], "There are no isolines")
+        heat = kernel.heat_distance(SURFACE, 0, time_step_factor=1000)
+        self.assertRegex(heat.warnings[0], "`time_step_factor` is 1000")
 
     def test_spectral(self):
         ids = [0, 100, 200]
@@ -274,6 +278,9 @@ class Filters(unittest.TestCase):
         self.check([pairs], "vtkDGGPath", ("AddPair", 0, 100), ("AddPair", 7, 200))
         cells = kernel.voronoi(graph, [0, 50, 150])
         self.check(cells, "vtkGeodesicVoronoi", ("SetSiteIds", [0, 50, 150]))
+        cells = kernel.voronoi(TORUS, [0, 50, 150], preview=True)
+        settings = (("SetSiteIds", [0, 50, 150]), ("PreviewOn",))
+        self.check(cells, "vtkGeodesicVoronoi", *settings)
         samples = kernel.samples(graph, number_of_samples=9)
         self.check([samples], "vtkGeodesicSampler", ("SetNumberOfSamples", 9))
         for function, name in (
@@ -383,6 +390,15 @@ class Calls(unittest.TestCase):
             (lambda: kernel.paths(SURFACE, [0, 1]), "graph", None, "Pass a Graph"),
             (lambda: kernel.heat_distance(SURFACE, 0, time_step_factor=0), "time_step_factor",
              None, "`time_step_factor`"),
+            (lambda: kernel.exact_distance(SURFACE, 0, generate_nearest_source=True,
+                                           source_array_name=DISTANCE), "source_array_name",
+             None, "`distance_array_name` and `source_array_name` are both"),
+            (lambda: kernel.isolines(SURFACE, FROM_0, values=[1], chord_tolerance=0),
+             "chord_tolerance", None, "1e-06"),
+            (lambda: kernel.samples(GRAPH, number_of_samples=0), "number_of_samples", None,
+             "at least 1"),
+            (lambda: kernel.fast_marching_distance(SURFACE, 0, band_radius=0.1), "band_radius",
+             None, "0.5 to 1000"),
         ):  # fmt: skip
             with self.subTest(pattern=pattern), self.assertRaisesRegex(kernel.Error, pattern) as c:
                 call()

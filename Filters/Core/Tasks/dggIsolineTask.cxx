@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggIsolineTask.h"
 
+#include "dggFieldReader.h"
 #include "dggOutput.h"
 #include "dggPreparedSurface.h"
 #include "dggProgressPart.h"
@@ -9,6 +10,7 @@
 #include "dggTaskContext.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
@@ -25,6 +27,10 @@ constexpr double BandWork = 1.5;
 ///@}
 
 constexpr double DegreesPerRadian = 180.0 / Pi;
+constexpr double RadiansPerDegree = Pi / 180.0;
+
+/// Smallest ChordTolerance: time and memory grow without bound as the tolerance decreases.
+constexpr double SmallestChordTolerance = 1e-6;
 
 /// Writes polylines with a cell array, which becomes the active scalars.
 void WriteLines(const TaskContext& context, const std::vector<SurfacePath>& lines,
@@ -60,29 +66,7 @@ std::vector<double> FindLimits(const Bands& bands, const std::vector<Id>& used)
   limits.push_back(std::max(largest, limits.back()));
   return limits;
 }
-}
 
-//------------------------------------------------------------------------------
-Status FindIsolines(const TaskContext& context, const DistanceField& field,
-  const IsolineTaskOptions& options, const ProgressCallback& progress, IsolineResult& result)
-{
-  const double ridgeWork = options.WithRidges ? RidgeWork : 0.0;
-  const double work = LineWork + ridgeWork + (options.WithBands ? BandWork : 0.0);
-  const double atRidges = LineWork / work;
-  const double atBands = (LineWork + ridgeWork) / work;
-  DGG_RETURN_IF_ERROR(TraceIsolines(field, options.Values, options.Lines, context.Parallel,
-    ProgressPart(progress, 0.0, atRidges), result.Lines));
-  if (options.WithRidges && (field.HasWindows() || field.HasSources()))
-  {
-    DGG_RETURN_IF_ERROR(FindRidges(field, options.Ridges, context.Parallel,
-      ProgressPart(progress, atRidges, atBands), result.Ridges));
-  }
-  return options.WithBands ? MakeBands(field, options.Values, result.Lines,
-                               ProgressPart(progress, atBands, 1.0), result.Bands)
-                           : Status::Success();
-}
-
-//------------------------------------------------------------------------------
 void WriteIsolines(const TaskContext& context, const Isolines& lines,
   const std::vector<double>& values, Output& output)
 {
@@ -94,7 +78,6 @@ void WriteIsolines(const TaskContext& context, const Isolines& lines,
   WriteLines(context, lines.Lines, lines.IsClosed, "IsoValue", numbers, output);
 }
 
-//------------------------------------------------------------------------------
 void WriteRidges(const TaskContext& context, const Ridges& ridges, Output& output)
 {
   std::vector<double> numbers;
@@ -106,7 +89,6 @@ void WriteRidges(const TaskContext& context, const Ridges& ridges, Output& outpu
   WriteLines(context, ridges.Lines, isClosed, "RidgeAngle", numbers, output);
 }
 
-//------------------------------------------------------------------------------
 void WriteBands(
   const TaskContext& context, const Bands& bands, const std::string& distances, Output& output)
 {
@@ -170,5 +152,103 @@ void WriteBands(
     upper[i] = limits[bands.BandOf[f] + 1];
     cells[i] = GetOriginalCell(context.Surface, surface.Faces[f]);
   }
+}
+}
+
+//------------------------------------------------------------------------------
+Status IsolineTaskOptions::Check() const
+{
+  if (this->SteinerPoints < 0 || this->SteinerPoints > MaximumSteinerPoints)
+  {
+    return InvalidValue("SteinerPoints", this->SteinerPoints)
+      .Fix("Use a number from 0 to ", MaximumSteinerPoints);
+  }
+  if (!(this->ChordTolerance >= SmallestChordTolerance))
+  {
+    return InvalidValue("ChordTolerance", this->ChordTolerance)
+      .Fix("Use a number of at least ", SmallestChordTolerance);
+  }
+  if (!(this->MinimumRidgeAngle >= 0.0 && this->MinimumRidgeAngle <= 180.0))
+  {
+    return InvalidValue("MinimumRidgeAngle", this->MinimumRidgeAngle)
+      .Fix("Use degrees from 0 to 180");
+  }
+  for (std::size_t i = 0; i < this->Values.size(); ++i)
+  {
+    if (!std::isfinite(this->Values[i]))
+    {
+      return InvalidInput("Value ", i, " is ", this->Values[i])
+        .At("Values", static_cast<Offset>(i))
+        .Fix("Use a finite number");
+    }
+  }
+  return Status::Success();
+}
+
+//------------------------------------------------------------------------------
+Status FindIsolines(const TaskContext& context, const DistanceField& field,
+  const IsolineTaskOptions& options, const ProgressCallback& progress, IsolineResult& result)
+{
+  IsolineOptions lines;
+  lines.ChordTolerance = options.ChordTolerance * field.Mesh->GetMeanEdgeLength();
+  lines.SteinerPoints = options.SteinerPoints;
+  const bool isKnown = field.HasWindows() || field.HasSources();
+  lines.Method = isKnown ? options.Method : IsolineMethod::LocalSources;
+  const double ridgeWork = options.WithRidges ? RidgeWork : 0.0;
+  const double work = LineWork + ridgeWork + (options.WithBands ? BandWork : 0.0);
+  const double atRidges = LineWork / work;
+  const double atBands = (LineWork + ridgeWork) / work;
+  DGG_RETURN_IF_ERROR(TraceIsolines(field, options.Values, lines, context.Parallel,
+    ProgressPart(progress, 0.0, atRidges), result.Lines));
+  if (options.WithRidges && isKnown)
+  {
+    RidgeOptions ridges;
+    ridges.MinimumAngle = options.MinimumRidgeAngle * RadiansPerDegree;
+    ridges.ChordTolerance = lines.ChordTolerance;
+    DGG_RETURN_IF_ERROR(FindRidges(
+      field, ridges, context.Parallel, ProgressPart(progress, atRidges, atBands), result.Ridges));
+  }
+  return options.WithBands ? MakeBands(field, options.Values, result.Lines,
+                               ProgressPart(progress, atBands, 1.0), result.Bands)
+                           : Status::Success();
+}
+
+//------------------------------------------------------------------------------
+std::string DescribeRidges(const IsolineTaskOptions& options, const FieldReader& reader)
+{
+  const DistanceField& field = reader.GetField();
+  if (options.WithRidges && !field.HasWindows() && !field.HasSources())
+  {
+    return "There are no ridges in distances that are linear in each triangle. Use another "
+           "{Method}, and distances with windows or virtual sources";
+  }
+  return options.WithRidges && reader.HasFittedSources()
+    ? "Ridges of virtual sources that are fitted to distances alone are not reliable. Turn on "
+      "{GenerateWindows} or {GenerateVirtualSource} of the distance filter"
+    : "";
+}
+
+//------------------------------------------------------------------------------
+std::string DescribeMissingLines(
+  const IsolineTaskOptions& options, const FieldReader& reader, const IsolineResult& result)
+{
+  if (!result.Lines.Lines.empty() || options.WithRidges || options.WithBands)
+  {
+    return {};
+  }
+  const auto [smallest, largest] = reader.FindRange();
+  return smallest > largest // no point is reached
+    ? std::string()
+    : JoinText("There are no isolines: the distances of the points are from ", smallest, " to ",
+        largest, ", and none of the values yields a line");
+}
+
+//------------------------------------------------------------------------------
+void WriteIsolines(const TaskContext& context, const IsolineResult& result,
+  const std::vector<double>& values, const std::string& distances, Output (&outputs)[3])
+{
+  WriteIsolines(context, result.Lines, values, outputs[0]);
+  WriteRidges(context, result.Ridges, outputs[1]);
+  WriteBands(context, result.Bands, distances, outputs[2]);
 }
 }

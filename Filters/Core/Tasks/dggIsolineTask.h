@@ -16,15 +16,22 @@
 
 namespace dgg
 {
+class FieldReader;
 struct Output;
 struct TaskContext;
 
-struct IsolineTaskOptions
+struct DGG_CORE_EXPORT IsolineTaskOptions
 {
-  std::vector<double> Values; ///< distances of the lines
-  IsolineOptions Lines;
-  RidgeOptions Ridges;
+  /// Fails if a value is not finite or an option is out of range.
+  Status Check() const;
+
+  std::vector<double> Values;   ///< distances of the lines
+  double ChordTolerance = 1e-3; ///< largest distance from the level set / mean edge length
+  /// Apollonius needs windows or virtual sources; other fields are linear in each triangle.
+  IsolineMethod Method = IsolineMethod::LocalSources;
+  int SteinerPoints = 2; ///< see IsolineOptions
   bool WithRidges = false;
+  double MinimumRidgeAngle = 20.0; ///< degrees; see RidgeOptions
   bool WithBands = false;
 };
 
@@ -41,15 +48,19 @@ DGG_CORE_EXPORT Status FindIsolines(const TaskContext& context, const DistanceFi
   const IsolineTaskOptions& options, const ProgressCallback& progress, IsolineResult& result);
 
 ///@{
+/// Returns a warning about ridges that are missing or unreliable, or if only lines are requested
+/// and there are none although points are reached; otherwise an empty text.
+DGG_CORE_EXPORT std::string DescribeRidges(
+  const IsolineTaskOptions& options, const FieldReader& reader);
+DGG_CORE_EXPORT std::string DescribeMissingLines(
+  const IsolineTaskOptions& options, const FieldReader& reader, const IsolineResult& result);
+///@}
+
 /// Writes lines with the cell array `IsoValue`; ridges with the cell array `RidgeAngle`, degrees;
 /// bands with the point arrays `distances` and `vtkOriginalPointIds` and the cell arrays `Band`,
-/// `BandMinimum`, `BandMaximum` and `FaceId`.
-DGG_CORE_EXPORT void WriteIsolines(const TaskContext& context, const Isolines& lines,
-  const std::vector<double>& values, Output& output);
-DGG_CORE_EXPORT void WriteRidges(const TaskContext& context, const Ridges& ridges, Output& output);
-DGG_CORE_EXPORT void WriteBands(
-  const TaskContext& context, const Bands& bands, const std::string& distances, Output& output);
-///@}
+/// `BandMinimum`, `BandMaximum` and `FaceId`; each to an output.
+DGG_CORE_EXPORT void WriteIsolines(const TaskContext& context, const IsolineResult& result,
+  const std::vector<double>& values, const std::string& distances, Output (&outputs)[3]);
 }
 
 #endif

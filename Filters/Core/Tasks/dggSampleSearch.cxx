@@ -6,6 +6,7 @@
 #include "dggGraphSession.h"
 #include "dggOutput.h"
 #include "dggPreparedSurface.h"
+#include "dggPropertyChecks.h"
 #include "dggStatus.h"
 #include "dggSurfaceOutput.h"
 
@@ -29,10 +30,19 @@ Status SetFirstSample(const PreparedSurface& surface, Offset point, SamplerOptio
 }
 
 //------------------------------------------------------------------------------
+Status CheckSamplerOptions(const SamplerOptions& options)
+{
+  return options.NumberOfSamples < 1
+    ? InvalidValue("NumberOfSamples", options.NumberOfSamples).Fix("Use a number of at least 1")
+    : CheckLengths({ { "CoveringRadius", options.CoveringRadius } });
+}
+
+//------------------------------------------------------------------------------
 Status FindSamples(const TaskContext& context, GraphSession& graph, SamplerOptions options,
   std::vector<SurfaceSample>& samples)
 {
   const PreparedSurface& surface = context.Surface;
+  options.InFaces = options.InFaces && !surface.IsCloud();
   for (SurfacePoint& point : options.Given)
   {
     point = surface.IsCloud() ? SurfacePoint::AtVertex(point.Vertex) : point;
@@ -66,7 +76,8 @@ void WriteSamples(const TaskContext& context, const SamplerOptions& options,
     output.Warnings.push_back(
       JoinText("No point of the surface is left after ", Counted(samples.size(), "sample"),
         ", but {NumberOfSamples} is ", options.NumberOfSamples, ". Reduce {NumberOfSamples}, ",
-        options.InFaces ? "" : "turn on {InFaces}, ", "or subdivide the surface"));
+        options.InFaces && !context.Surface.IsCloud() ? "" : "turn on {InFaces}, ",
+        "or subdivide the surface"));
   }
   if (!(radius < Infinity))
   {

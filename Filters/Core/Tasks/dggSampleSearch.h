@@ -20,8 +20,12 @@ struct TaskContext;
 DGG_CORE_EXPORT Status SetFirstSample(
   const PreparedSurface& surface, Offset point, SamplerOptions& options);
 
+/// Fails if an option is out of range.
+DGG_CORE_EXPORT Status CheckSamplerOptions(const SamplerOptions& options);
+
 /// Samples the surface. `graph` must be up to date. The progress of `options` is set here. Samples
-/// of a cloud are points of the cloud: given points are moved to their vertices.
+/// of a cloud are points of the cloud: InFaces is ignored, and given points are moved to their
+/// vertices.
 DGG_CORE_EXPORT Status FindSamples(const TaskContext& context, GraphSession& graph,
   SamplerOptions options, std::vector<SurfaceSample>& samples);
 

@@ -4,9 +4,12 @@
 
 #include "dggDistanceOutput.h"
 #include "dggGraphSession.h"
+#include "dggMeshQuality.h"
 #include "dggOutput.h"
 #include "dggPreparedSurface.h"
 #include "dggProgressPart.h"
+#include "dggPropagationSession.h"
+#include "dggPropertyChecks.h"
 #include "dggSourceCollection.h"
 #include "dggSurfaceOutput.h"
 
@@ -14,6 +17,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
+#include <utility>
 
 namespace dgg
 {
@@ -21,6 +25,12 @@ namespace
 {
 /// Progress weight of moving the sites, after the graph.
 constexpr double MovingShare = 0.9;
+
+/// Returns true if there are neither cells nor borders.
+bool HasLabelsOnly(const TaskContext& context, const VoronoiOptions& options)
+{
+  return options.LabelsOnly || options.IsPreview || context.Surface.IsCloud();
+}
 
 /// Moves the sites to the centers of their cells.
 Status MoveSites(const TaskContext& context, GraphSession& graph, const VoronoiOptions& options,
@@ -145,7 +155,7 @@ public:
     const std::size_t count = this->Result.Sites.size();
     std::int32_t* const ids = output.PointData.Add<std::int32_t>("SiteId", count);
     std::iota(ids, ids + count, 0);
-    if (!this->Options.LabelsOnly)
+    if (!HasLabelsOnly(this->Context, this->Options))
     {
       const std::vector<double> areas = this->SumAreas();
       std::copy_n(areas.begin(), count, output.PointData.Add<double>("CellArea", count));
@@ -206,6 +216,23 @@ private:
 }
 
 //------------------------------------------------------------------------------
+Status VoronoiOptions::Check() const
+{
+  DGG_RETURN_IF_ERROR(CheckLengths({ { "Tolerance", this->Moving.Tolerance } }));
+  if (this->Moving.NumberOfIterations < 0)
+  {
+    return InvalidValue("NumberOfIterations", this->Moving.NumberOfIterations)
+      .Fix("Use a number of at least 0");
+  }
+  DGG_RETURN_IF_ERROR(CheckNames(
+    { { "DistanceArrayName", this->DistanceName }, { "SourceArrayName", this->SourceName } }));
+  return this->IsPreview && this->IsCentroidal ? InvalidInput("{Preview} does not move sites")
+                                                   .At("Preview")
+                                                   .Fix("Turn off {Preview} or {Centroidal}")
+                                               : Status::Success();
+}
+
+//------------------------------------------------------------------------------
 Status FindVoronoiCells(const TaskContext& context, GraphSession& graph,
   const VoronoiOptions& options, VoronoiResult& result)
 {
@@ -216,9 +243,9 @@ Status FindVoronoiCells(const TaskContext& context, GraphSession& graph,
       MoveSites(context, graph, options, ProgressPart(progress, 0.0, MovingShare), result));
   }
   VoronoiInput input;
-  input.LabelsOnly = options.LabelsOnly;
+  input.LabelsOnly = HasLabelsOnly(context, options);
   DGG_RETURN_IF_ERROR(graph.MakeSeeds(context, result.Sites, input.Seeds));
-  if (options.IsRefined)
+  if (options.IsRefined && !input.LabelsOnly)
   {
     DGG_RETURN_IF_ERROR(graph.PrepareBuilder(context));
     input.Builder = &graph.GetBuilder();
@@ -227,6 +254,33 @@ Status FindVoronoiCells(const TaskContext& context, GraphSession& graph,
   input.Places = GetPoints(result.Sites);
   return ComputeVoronoi(graph.GetSearch(), context.Surface.GetMesh(), input,
     ProgressPart(progress, options.IsCentroidal ? MovingShare : 0.0, 1.0), result.Diagram);
+}
+
+//------------------------------------------------------------------------------
+Status FindVoronoiPreview(
+  const TaskContext& context, PropagationSession& session, VoronoiResult& result)
+{
+  if (context.Surface.IsCloud())
+  {
+    return InvalidInput("{Preview} needs a surface, but the input is a point cloud")
+      .At("Preview")
+      .Fix("Turn off {Preview}");
+  }
+  PropagationOptions options;
+  options.Quality = PropagationSession::Choose(context.Surface);
+  options.WantNearestSource = true;
+  PropagationResult found;
+  DGG_RETURN_IF_ERROR(
+    session.Run(context, result.Sites, options, found).Of("{Preview}, which can be turned off"));
+  result.QualityWarning = JoinReasons({ DescribeLongTriangles(context.Surface,
+                                          "cells of {Preview} may be wrong. Turn off {Preview}, or "
+                                          "remesh the surface"),
+    found.IsSettled ? ""
+                    : "Distances of {Preview} did not settle on triangles this irregular, so "
+                      "cells may be wrong. Turn off {Preview}" });
+  result.Diagram.NearestSites = std::move(found.NearestSource);
+  result.Diagram.Distances = std::move(found.Distances);
+  return Status::Success();
 }
 
 //------------------------------------------------------------------------------
@@ -246,7 +300,7 @@ void WriteVoronoi(const TaskContext& context, const VoronoiOptions& options,
 {
   const VoronoiWriter writer(context, options, result);
   writer.WriteSurface(surface);
-  if (!options.LabelsOnly)
+  if (!HasLabelsOnly(context, options))
   {
     writer.WriteBorders(borders);
     writer.WriteCells(cells);

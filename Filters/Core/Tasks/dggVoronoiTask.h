@@ -16,14 +16,20 @@
 namespace dgg
 {
 class GraphSession;
+class PropagationSession;
 struct Output;
 struct TaskContext;
 
-struct VoronoiOptions
+struct DGG_CORE_EXPORT VoronoiOptions
 {
+  /// Fails if an option is out of range, if options exclude each other, or if the name of an array
+  /// is empty or used twice.
+  Status Check() const;
+
   bool IsCentroidal = false; ///< move the sites first
   bool IsRefined = false;    ///< refine borders
-  bool LabelsOnly = false;   ///< make neither cells nor borders
+  bool LabelsOnly = false;   ///< make neither cells nor borders; always so on clouds
+  bool IsPreview = false;    ///< FindVoronoiPreview() is used, which makes labels only
   CentroidalOptions Moving;
   ///@{
   /// Names of point arrays.
@@ -38,12 +44,17 @@ struct VoronoiResult
   std::vector<GeodesicSource> Sites;
   VoronoiDiagram Diagram;
   std::vector<double> Energies; ///< one per iteration; empty unless sites are moved
+  std::string QualityWarning;   ///< reasons why cells of a preview may be wrong
 };
 
 /// Computes the diagram of the sites in `result`, and moves the sites if requested. `graph` must be
 /// up to date.
 DGG_CORE_EXPORT Status FindVoronoiCells(const TaskContext& context, GraphSession& graph,
   const VoronoiOptions& options, VoronoiResult& result);
+
+/// Computes the labels of the sites in `result` without a graph.
+DGG_CORE_EXPORT Status FindVoronoiPreview(
+  const TaskContext& context, PropagationSession& session, VoronoiResult& result);
 
 /// Returns the nearest site of each point of the input; NoId if unreached.
 DGG_CORE_EXPORT std::vector<Id> GetNearestSites(

@@ -4,6 +4,7 @@
 #include "Arrays.h"
 #include "Call.h"
 #include "Distances.h"
+#include "Errors.h"
 #include "Module.h"
 #include "Outputs.h"
 #include "SurfacePoints.h"
@@ -14,6 +15,7 @@
 #include "dggProgressPart.h"
 #include "dggStoredWindows.h"
 
+#include <optional>
 #include <utility>
 
 namespace dggPython
@@ -160,50 +162,26 @@ void AddWarnings(const dgg::FieldReader& reader, dgg::Output& output)
 }
 
 //------------------------------------------------------------------------------
-/// Arguments of isolines.
-struct IsolineArguments
+dgg::IsolineTaskOptions ReadIsolineOptions(Arguments& arguments, bool& isLinear)
 {
-  enum class MethodType
-  {
-    LocalSources,
-    Apollonius,
-    Linear
-  };
-
-  explicit IsolineArguments(Arguments& arguments)
-  {
-    constexpr double degree = dgg::Pi / 180.0;
-    arguments.Read("values", this->Options.Values);
-    arguments.ReadChoice("method",
-      { { "LocalSources", MethodType::LocalSources }, { "Apollonius", MethodType::Apollonius },
-        { "Linear", MethodType::Linear } },
-      this->Method);
-    arguments.ReadLength("chord_tolerance", this->ChordTolerance);
-    arguments.Read("steiner_points", this->Options.Lines.SteinerPoints);
-    arguments.Read("generate_ridges", this->Options.WithRidges);
-    arguments.Read("generate_bands", this->Options.WithBands);
-    double angle = this->Options.Ridges.MinimumAngle / degree;
-    arguments.ReadLength("minimum_ridge_angle", angle);
-    this->Options.Ridges.MinimumAngle = angle * degree;
-  }
-
-  /// Returns the options for a field.
-  dgg::IsolineTaskOptions MakeOptions(const dgg::DistanceField& field) const
-  {
-    dgg::IsolineTaskOptions options = this->Options;
-    options.Lines.ChordTolerance = this->ChordTolerance * field.Mesh->GetMeanEdgeLength();
-    options.Ridges.ChordTolerance = options.Lines.ChordTolerance;
-    options.Lines.Method =
-      this->Method == MethodType::Apollonius && (field.HasWindows() || field.HasSources())
-      ? dgg::IsolineMethod::Apollonius
-      : dgg::IsolineMethod::LocalSources;
-    return options;
-  }
-
-  dgg::IsolineTaskOptions Options; ///< except tolerances and method
-  MethodType Method = MethodType::LocalSources;
-  double ChordTolerance = 0.0; ///< relative; 0 for the default
-};
+  using Method = std::optional<dgg::IsolineMethod>;
+  dgg::IsolineTaskOptions options;
+  Method method = options.Method;
+  arguments.Read("values", options.Values);
+  arguments.ReadChoice<Method>("method",
+    { { "LocalSources", dgg::IsolineMethod::LocalSources },
+      { "Apollonius", dgg::IsolineMethod::Apollonius }, { "Linear", Method() } },
+    method);
+  isLinear = !method;
+  options.Method = method.value_or(options.Method);
+  arguments.Read("chord_tolerance", options.ChordTolerance);
+  arguments.Read("steiner_points", options.SteinerPoints);
+  arguments.Read("generate_ridges", options.WithRidges);
+  arguments.Read("generate_bands", options.WithBands);
+  arguments.Read("minimum_ridge_angle", options.MinimumRidgeAngle);
+  ThrowUnlessOk(options.Check());
+  return options;
+}
 
 py::object FindIsolines(
   const Surface& surface, const py::object& distances, const py::kwargs& keywords)
@@ -212,24 +190,23 @@ py::object FindIsolines(
   Arguments arguments(keywords);
   Call call(arguments);
   const Field field(distances, surface, arguments);
-  const IsolineArguments lines(arguments);
+  bool isLinear = false;
+  const dgg::IsolineTaskOptions options = ReadIsolineOptions(arguments, isLinear);
   dgg::Output outputs[3];
   call.Run([&] {
     const dgg::TaskContext context = call.MakeContext(surface);
     DGG_RETURN_IF_ERROR(RequireSurface(context.Surface, "Isolines"));
     dgg::FieldReader reader(context.Surface);
     const dgg::ProgressCallback reading = dgg::ProgressPart(context.Progress, 0.0, readingShare);
-    DGG_RETURN_IF_ERROR(lines.Method == IsolineArguments::MethodType::Linear
-        ? field.ReadDistances(reader)
-        : field.Read(context, reading, reader));
-    const dgg::IsolineTaskOptions options = lines.MakeOptions(reader.GetField());
+    DGG_RETURN_IF_ERROR(
+      isLinear ? field.ReadDistances(reader) : field.Read(context, reading, reader));
     dgg::IsolineResult result;
     DGG_RETURN_IF_ERROR(dgg::FindIsolines(context, reader.GetField(), options,
       dgg::ProgressPart(context.Progress, readingShare, 1.0), result));
-    dgg::WriteIsolines(context, result.Lines, options.Values, outputs[0]);
-    dgg::WriteRidges(context, result.Ridges, outputs[1]);
-    dgg::WriteBands(context, result.Bands, field.GetName(), outputs[2]);
+    dgg::WriteIsolines(context, result, options.Values, field.GetName(), outputs);
     AddWarnings(reader, outputs[0]);
+    outputs[0].Warn(dgg::DescribeRidges(options, reader));
+    outputs[0].Warn(dgg::DescribeMissingLines(options, reader, result));
     return dgg::Status::Success();
   });
   return py::make_tuple(ToPython(outputs[0]), ToPython(outputs[1]), ToPython(outputs[2]));

@@ -3,12 +3,14 @@
 #include "Arguments.h"
 #include "Call.h"
 #include "Distances.h"
+#include "Errors.h"
 #include "Graph.h"
 #include "Module.h"
 #include "Outputs.h"
 #include "SurfacePoints.h"
 
 #include "dggOutput.h"
+#include "dggPropagationSession.h"
 #include "dggSampleSearch.h"
 #include "dggVoronoiTask.h"
 
@@ -23,7 +25,7 @@ constexpr const char* VoronoiDocumentation =
 
 Parameters
 ----------
-graph : Graph
+target : Graph, or Surface for a preview
 sites : surface points
 centroidal : bool
     Move the sites to the centers of their cells first.
@@ -32,6 +34,8 @@ tolerance : float
     Stop when no site moves by more than this fraction of the mean edge length.
 generate_cells : bool
     Otherwise only the nearest site of each point is found. Clouds have no cells.
+preview : bool
+    Find the nearest site of each point by virtual sources, in milliseconds; no bound of the error.
 refine_boundaries : bool
     Move points of boundaries to where both distances are equal.
 unreached_value : float
@@ -82,42 +86,50 @@ Error
     For an invalid point or option.)";
 
 //------------------------------------------------------------------------------
-dgg::VoronoiOptions ReadVoronoiOptions(Arguments& arguments, bool isCloud)
+dgg::VoronoiOptions ReadVoronoiOptions(Arguments& arguments)
 {
   dgg::VoronoiOptions options;
   bool wantCells = true;
-  bool refines = true;
+  options.IsRefined = true;
   options.DistanceName = DistanceName;
   options.SourceName = SourceName;
   options.UnreachedValue = std::numeric_limits<double>::quiet_NaN();
   arguments.Read("centroidal", options.IsCentroidal);
   arguments.Read("number_of_iterations", options.Moving.NumberOfIterations);
-  arguments.ReadLength("tolerance", options.Moving.Tolerance);
+  arguments.Read("tolerance", options.Moving.Tolerance);
   arguments.Read("generate_cells", wantCells);
-  arguments.Read("refine_boundaries", refines);
+  arguments.Read("preview", options.IsPreview);
+  arguments.Read("refine_boundaries", options.IsRefined);
   arguments.Read("unreached_value", options.UnreachedValue);
   arguments.Read("distance_array_name", options.DistanceName);
   arguments.Read("source_array_name", options.SourceName);
-  options.LabelsOnly = !wantCells || isCloud;
-  options.IsRefined = refines && !options.LabelsOnly;
+  options.LabelsOnly = !wantCells;
+  ThrowUnlessOk(options.Check());
   return options;
 }
 
-py::object FindVoronoi(const Graph& graph, const py::object& sites, const py::kwargs& keywords)
+py::object FindVoronoi(
+  const py::object& target, const py::object& sites, const py::kwargs& keywords)
 {
   Arguments arguments(keywords);
   Call call(arguments);
   SurfacePoints points(sites, "site", "Sites");
   points.ReadTolerance(arguments);
-  const dgg::VoronoiOptions options =
-    ReadVoronoiOptions(arguments, graph.GetSurface().Get().IsCloud());
+  const dgg::VoronoiOptions options = ReadVoronoiOptions(arguments);
+  const SurfaceOrGraph input(target);
+  const Graph* const graph =
+    options.IsPreview ? nullptr : &input.GetGraph("Cells that are not a preview");
+  const SessionPool<dgg::PropagationSession>::Loan preview(
+    input.GetSurface().GetPool<dgg::PropagationSession>());
   dgg::Output outputs[4];
   call.Run([&] {
-    const dgg::TaskContext context = call.MakeContext(graph.GetSurface());
+    const dgg::TaskContext context = call.MakeContext(input.GetSurface());
     dgg::VoronoiResult result;
     DGG_RETURN_IF_ERROR(points.Locate(context, result.Sites, &outputs[0].Warnings));
-    const Graph::Session session(graph);
-    DGG_RETURN_IF_ERROR(dgg::FindVoronoiCells(context, *session, options, result));
+    DGG_RETURN_IF_ERROR(graph
+        ? dgg::FindVoronoiCells(context, *Graph::Session(*graph), options, result)
+        : dgg::FindVoronoiPreview(context, *preview, result));
+    outputs[0].Warn(result.QualityWarning);
     dgg::WriteVoronoi(context, options, result, outputs[0], outputs[1], outputs[2], outputs[3]);
     return dgg::Status::Success();
   });
@@ -136,9 +148,9 @@ py::object FindSamples(const Graph& graph, const py::object& start, const py::kw
   dgg::Offset first = dgg::NoId;
   arguments.Read("number_of_samples", options.NumberOfSamples);
   arguments.Read("first_sample", first);
-  arguments.ReadLength("covering_radius", options.CoveringRadius);
+  arguments.Read("covering_radius", options.CoveringRadius);
   arguments.Read("in_faces", options.InFaces);
-  options.InFaces = options.InFaces && !graph.GetSurface().Get().IsCloud();
+  ThrowUnlessOk(dgg::CheckSamplerOptions(options));
   dgg::Output output;
   call.Run([&] {
     const dgg::TaskContext context = call.MakeContext(graph.GetSurface());
@@ -157,7 +169,7 @@ py::object FindSamples(const Graph& graph, const py::object& start, const py::kw
 //------------------------------------------------------------------------------
 void AddRegions(py::module_& module)
 {
-  module.def("voronoi", &FindVoronoi, py::arg("graph"), py::arg("sites"), VoronoiDocumentation);
+  module.def("voronoi", &FindVoronoi, py::arg("target"), py::arg("sites"), VoronoiDocumentation);
   module.def(
     "samples", &FindSamples, py::arg("graph"), py::arg("start") = py::none(), SamplesDocumentation);
 }
