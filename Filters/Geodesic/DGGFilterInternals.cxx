@@ -3,7 +3,6 @@
 #include "DGGFilterInternals.h"
 
 #include "DGGCompatibility.h"
-#include "DGGFreeMemory.h"
 #include "DGGMeshAdapter.h"
 #include "DGGOutput.h"
 #include "DGGPartedUpdate.h"
@@ -12,6 +11,7 @@
 #include "vtkGeodesicAlgorithm.h"
 
 #include "dggDistanceOutput.h"
+#include "dggFreeMemory.h"
 #include "dggPropertyChecks.h"
 #include "dggStatus.h"
 
@@ -309,7 +309,7 @@ dgg::Status DGGFilterInternals::GetWholeInput(vtkSmartPointer<vtkPolyData>& surf
 DGGContext DGGFilterInternals::MakeContext(vtkPolyData* surface)
 {
   const dgg::ProgressCallback progress = [this](double done) { return this->Advance(done); };
-  return { { this->Mesh->Get(), DGGMakeBudget(this->Filter->MemoryLimit),
+  return { { this->Mesh->Get(), dgg::MakeBudget(this->Filter->MemoryLimit),
              vtkSMPTools::GetEstimatedNumberOfThreads(), progress, DGGMakeParallelFor(progress),
              DGGConvertCells(surface) },
     surface };

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DGGPartedUpdate.h"
 
-#include "DGGFreeMemory.h"
-
+#include "dggFreeMemory.h"
 #include "dggStatus.h"
 
 #include "vtkCompositeDataIterator.h"
@@ -205,7 +204,7 @@ dgg::Status DGGPartedUpdate::CheckMemory(
   const vtkIdType others = processes.Sum(here) - here;
   const double bytes = 2.0 * 1024.0 * static_cast<double>(processes.IsFirst() ? others : here);
   return processes.Agree(bytes > 0.0
-      ? DGGMakeBudget(limit).Check("Gathering the pieces of all processes", bytes,
+      ? dgg::MakeBudget(limit).Check("Gathering the pieces of all processes", bytes,
           "Use a smaller surface or a machine with more memory")
       : dgg::Status::Success());
 }

@@ -7,6 +7,8 @@
 #include "Surface.h"
 #include "ThreadPool.h"
 
+#include "dggFreeMemory.h"
+
 #include <algorithm>
 
 namespace dggPython
@@ -27,7 +29,7 @@ Call::Call(Arguments& arguments)
   arguments.Read("number_of_threads", this->NumberOfThreads);
   if (this->MemoryLimit < 0)
   {
-    throw py::value_error("memory_limit: expected a number of bytes, or 0 for no limit, got " +
+    throw py::value_error("memory_limit: expected a number of bytes, or 0 for the default, got " +
       std::to_string(this->MemoryLimit));
   }
   CheckNumberOfThreads(this->NumberOfThreads);
@@ -41,8 +43,8 @@ Call::Call(Arguments& arguments)
 dgg::TaskContext Call::MakeContext(const Surface& surface)
 {
   const dgg::ProgressCallback progress = [this](double done) { return this->Advance(done); };
-  return { surface.Get(), { static_cast<std::uint64_t>(this->MemoryLimit), nullptr },
-    this->NumberOfThreads, progress, MakeParallelFor(this->NumberOfThreads, progress),
+  return { surface.Get(), dgg::MakeBudget(this->MemoryLimit), this->NumberOfThreads, progress,
+    MakeParallelFor(this->NumberOfThreads, progress),
     [&surface]() -> const dgg::SurfaceArrays& { return surface.GetCells(); } };
 }
 

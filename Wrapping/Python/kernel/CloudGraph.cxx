@@ -97,7 +97,7 @@ dgg::Status BuildCloudGraph(const dgg::TaskContext& context, dgg::CloudGraphOpti
       .Fix("Make the surface with {Cloud}");
   }
   DGG_RETURN_IF_ERROR(dgg::CloudGraphBuilder::Check(options));
-  options.MemoryLimit = static_cast<std::size_t>(context.Memory.Limit);
+  options.MemoryLimit = static_cast<std::size_t>(context.Memory.GetBytes());
   options.Parallel = context.Parallel;
   options.NumberOfThreads = context.NumberOfThreads;
   options.Progress = context.Progress;

@@ -27,7 +27,7 @@ projection_tolerance : float
 All functions also have these arguments:
 
 memory_limit : int
-    Largest number of bytes that the call may take; 0 for no limit.
+    Largest number of bytes that the call may take. Default, and 0: 70 % of the memory that is free.
 number_of_threads : int
     Default: see `set_number_of_threads`. The results are the same for any number.
 progress : callable

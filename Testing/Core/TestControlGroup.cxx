@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// Memory that control groups leave available, in folders that imitate theirs.
-#include "DGGFreeMemory.h"
+#include "dggFreeMemory.h"
 
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@
 
 namespace
 {
-constexpr vtkTypeUInt64 Unlimited = std::numeric_limits<vtkTypeUInt64>::max();
+constexpr std::uint64_t Unlimited = std::numeric_limits<std::uint64_t>::max();
 
 class ControlGroup : public ::testing::Test
 {
@@ -32,9 +32,9 @@ protected:
     this->Write("mount" + path + "/memory.current", used);
   }
 
-  vtkTypeUInt64 GetFree() const
+  std::uint64_t GetFree() const
   {
-    return DGGGetFreeInControlGroup(this->Root + "/cgroup", this->Root + "/mount");
+    return dgg::GetFreeInControlGroup(this->Root + "/cgroup", this->Root + "/mount");
   }
 
   /// Folder of the test; separate, as tests may run at the same time.
