@@ -9,7 +9,7 @@
 #include "DGGOutput.h"
 #include "DGGSurfaceParts.h"
 
-#include "dggCloudGraphBuilder.h"
+#include "dggCloudGraphTask.h"
 #include "dggCounted.h"
 #include "dggPropertyChecks.h"
 #include "dggStatus.h"
@@ -31,15 +31,6 @@ vtkStandardNewMacro(vtkPointCloudDGG);
 namespace
 {
 constexpr int FewestNeighbors = 3;
-
-dgg::Status CheckNumber(const char* name, double value)
-{
-  if (value >= 0.0 && value < dgg::Infinity)
-  {
-    return dgg::Status::Success();
-  }
-  return dgg::InvalidValue(name, value).Fix("Use a positive number, or 0 for an automatic one");
-}
 
 /// Adds one vertex cell with all points.
 void AddVertices(vtkPolyData* cloud)
@@ -100,9 +91,6 @@ int vtkPointCloudDGG::RequestData(
 //------------------------------------------------------------------------------
 dgg::Status vtkPointCloudDGG::vtkInternals::CheckProperties() const
 {
-  DGG_RETURN_IF_ERROR(CheckNumber("OffsetInVoxels", this->Self->OffsetInVoxels));
-  DGG_RETURN_IF_ERROR(CheckNumber("Resolution", this->Self->Resolution));
-  DGG_RETURN_IF_ERROR(CheckNumber("Alpha", this->Self->Alpha));
   if (this->Self->NumberOfNeighbors < FewestNeighbors)
   {
     return dgg::InvalidValue("NumberOfNeighbors", this->Self->NumberOfNeighbors)
@@ -145,7 +133,8 @@ dgg::Status vtkPointCloudDGG::vtkInternals::Execute(const DGGContext& context,
   DGG_RETURN_IF_ERROR(this->CheckInputNormals(context.Input));
   const NormalsSource source = this->MakeNormalsSource(context.Input);
   const vtkMTimeType built = this->Self->GetGraphBuildTime();
-  dgg::CloudGraphOptions options = this->MakeOptions(context);
+  dgg::CloudGraphOptions options = this->MakeOptions();
+  options.HasOrientedNormals = this->Self->OrientedNormals && source.Given;
   Normals normals;
   double done = 0.0;
   DGG_RETURN_IF_ERROR(this->FindNormals(context, source, normals, done));
@@ -170,8 +159,7 @@ dgg::Status vtkPointCloudDGG::vtkInternals::Execute(const DGGContext& context,
   }
   if (built != this->Self->GetGraphBuildTime())
   {
-    this->WarnAboutPoints();
-    this->WarnAboutVoxels(options);
+    this->Warn(dgg::DescribeCloudGraph(options, this->Current.Statistics));
   }
   if (this->Self->OrientedNormals && !source.Given)
   {

@@ -7,6 +7,7 @@
 #include "DGGSurfaceArrays.h"
 
 #include "dggBitHash.h"
+#include "dggCloudGraphTask.h"
 #include "dggCloudNormals.h"
 #include "dggPreparedSurface.h"
 #include "dggProgressPart.h"
@@ -67,15 +68,13 @@ dgg::Status vtkPointCloudDGG::vtkInternals::Predict()
   Normals normals;
   double done = 0.0;
   const DGGContext context = this->MakeContext(cloud);
-  dgg::CloudGraphOptions options = this->MakeOptions(context);
+  dgg::CloudGraphOptions options = this->MakeOptions();
+  options.HasOrientedNormals = this->Self->OrientedNormals && source.Given;
   DGG_RETURN_IF_ERROR(dgg::ReportTo(context.Progress, 0.0));
   DGG_RETURN_IF_ERROR(this->FindNormals(context, source, normals, done));
-  const dgg::PreparedSurface& mesh = context.Surface;
   options.Normals = normals ? normals->data() : nullptr;
-  options.Progress = dgg::ProgressPart(context.Progress, done, 1.0);
-  DGG_RETURN_IF_ERROR(
-    dgg::CloudGraphBuilder(mesh.GetPositions(), mesh.GetMesh().GetNumberOfVertices())
-      .Estimate(options, this->Estimate));
+  DGG_RETURN_IF_ERROR(dgg::EstimateCloudGraph(
+    context, options, dgg::ProgressPart(context.Progress, done, 1.0), this->Estimate));
   return dgg::ReportTo(context.Progress, 1.0);
 }
 
@@ -90,18 +89,6 @@ dgg::CloudGraphOptions vtkPointCloudDGG::vtkInternals::MakeOptions() const
   options.Alpha = this->Self->Alpha;
   options.Accuracy = this->Self->Accuracy;
   options.ArcLengthWeights = this->Self->ArcLengthWeights;
-  return options;
-}
-
-//------------------------------------------------------------------------------
-/// Returns all options of the graph except normals and progress.
-dgg::CloudGraphOptions vtkPointCloudDGG::vtkInternals::MakeOptions(const DGGContext& context) const
-{
-  dgg::CloudGraphOptions options = this->MakeOptions();
-  options.HasOrientedNormals = this->Self->OrientedNormals && this->GetInputNormals(context.Input);
-  options.MemoryLimit = static_cast<std::size_t>(context.Memory.GetBytes());
-  options.NumberOfThreads = context.NumberOfThreads;
-  options.Parallel = context.Parallel;
   return options;
 }
 
@@ -155,11 +142,10 @@ dgg::Status vtkPointCloudDGG::vtkInternals::FindNormals(
 //------------------------------------------------------------------------------
 /// Builds a graph with these options, unless the kept graph has the same key.
 dgg::Status vtkPointCloudDGG::vtkInternals::Build(
-  const DGGContext& context, dgg::CloudGraphOptions options, double done)
+  const DGGContext& context, const dgg::CloudGraphOptions& options, double done)
 {
   const dgg::PreparedSurface& mesh = context.Surface;
-  const dgg::Id n = mesh.GetMesh().GetNumberOfVertices();
-  const dgg::Signature key = MakeKey(options, n);
+  const dgg::Signature key = MakeKey(options, mesh.GetMesh().GetNumberOfVertices());
   const bool isKept = this->Built.IsValid() && this->BuiltBy == key &&
     this->Built.GetView().Info.Surface == mesh.GetSignature();
   if (isKept)
@@ -167,12 +153,10 @@ dgg::Status vtkPointCloudDGG::vtkInternals::Build(
     return dgg::Status::Success();
   }
   this->Built.Clear();
-  options.Progress = dgg::ProgressPart(context.Progress, done, 1.0);
   dgg::CloudGraph result;
   Findings findings;
-  DGG_RETURN_IF_ERROR(
-    dgg::CloudGraphBuilder(mesh.GetPositions(), n).Build(options, result, &findings.Statistics));
-  result.Graph.Info.Surface = mesh.GetSignature();
+  DGG_RETURN_IF_ERROR(dgg::BuildCloudGraph(
+    context, options, dgg::ProgressPart(context.Progress, done, 1.0), result, findings.Statistics));
   this->Built.Adopt(result.Graph, result.Radii, result.VoxelSize, context);
   this->BuiltBy = key;
   this->Components = std::move(result.Components);

@@ -74,12 +74,9 @@ private:
   dgg::Status CheckInputNormals(vtkPolyData* cloud) const;
   NormalsSource MakeNormalsSource(vtkPolyData* cloud) const;
   dgg::CloudGraphOptions MakeOptions() const;
-  dgg::CloudGraphOptions MakeOptions(const DGGContext& context) const;
   dgg::Status FindNormals(
     const DGGContext& context, const NormalsSource& source, Normals& normals, double& done);
-  dgg::Status Build(const DGGContext& context, dgg::CloudGraphOptions options, double done);
-  void WarnAboutPoints();
-  void WarnAboutVoxels(const dgg::CloudGraphOptions& options);
+  dgg::Status Build(const DGGContext& context, const dgg::CloudGraphOptions& options, double done);
 };
 
 #endif

@@ -3,16 +3,7 @@
 // vtkPointCloudDGG: getters and warnings.
 #include "PointCloudDGGInternals.h"
 
-#include "dggCounted.h"
-
 #include <cmath>
-
-namespace
-{
-/// Largest ratio of noise to radius of curvature without a warning: distances on spheres are then 1
-/// % too short.
-constexpr double LargestNoiseByRadius = 0.07;
-}
 
 /// Defines the getter of a number of the last update's graph.
 #define vtkPointCloudDGGNumberMacro(Type, Name, member)    \
@@ -131,61 +122,4 @@ double vtkPointCloudDGG::GetUsedOffset() const
 vtkMTimeType vtkPointCloudDGG::GetGraphBuildTime() const
 {
   return this->GetInternals().BuildTime.GetMTime();
-}
-
-//------------------------------------------------------------------------------
-/// Warns about the points of a graph that has just been built.
-void vtkPointCloudDGG::vtkInternals::WarnAboutPoints()
-{
-  const dgg::Id unused = this->Current.Statistics.UnusedPoints;
-  if (unused > 0)
-  {
-    this->Warn(dgg::JoinText("The cloud has ", dgg::Counted(unused, "point"),
-      " with a coordinate that is not finite. Such points have no edges in the graph"));
-  }
-  const dgg::Id outliers = this->Current.Statistics.Outliers;
-  if (outliers > 0)
-  {
-    this->Warn(dgg::JoinText("The cloud has ", dgg::Counted(outliers, "point"),
-      " more than 1000 times as far away as all others. The graph connects such points only to "
-      "points at the same position"));
-  }
-  const dgg::CloudGraphStatistics& statistics = this->Current.Statistics;
-  if (statistics.Scatter > 0.0)
-  {
-    this->Warn(dgg::JoinText("The neighbors of ", 100.0 * statistics.OffSurface,
-      " % of the points do not lie on a surface: points typically scatter by ", statistics.Scatter,
-      " times their spacing. Such noise is removed in part only, so distances may be far off. Thin "
-      "the cloud, for example to every tenth point or to averages of points, until points scatter "
-      "by less than their spacing"));
-  }
-  else if (statistics.NoiseByRadius > LargestNoiseByRadius)
-  {
-    this->Warn(dgg::JoinText("The noise of the points, ", statistics.Noise, ", is ",
-      statistics.NoiseByRadius,
-      " of the typical radius of curvature. After its removal distances may be off by 1 % or more, "
-      "mostly too short. Use points with less noise if that matters"));
-  }
-}
-
-//------------------------------------------------------------------------------
-/// Warns if voxels of a graph that has just been built are coarser than the points.
-void vtkPointCloudDGG::vtkInternals::WarnAboutVoxels(const dgg::CloudGraphOptions& options)
-{
-  const dgg::CloudGraphStatistics& used = this->Current.Statistics;
-  if (used.Spacing > 0.0 && used.VoxelSize > used.Spacing)
-  {
-    const bool isGiven = options.OffsetInVoxels > 0.0;
-    this->Warn(dgg::JoinText("The voxels of the band, of size ", used.VoxelSize, " ({Resolution} ",
-      used.Resolution, options.Resolution > 0 ? "" : ", automatic",
-      "), are larger than the spacing of the points, which is ", used.Spacing, ". ",
-      isGiven
-        ? "The graph bridges gaps and holes, and may connect separate or split connected parts"
-        : "Building is slower",
-      ". ",
-      options.Resolution > 0 || isGiven
-        ? "Use a larger {Resolution}"
-        : "Parts of the cloud are much sparser than others. Exclude these parts, or build separate "
-          "graphs, if that matters"));
-  }
 }

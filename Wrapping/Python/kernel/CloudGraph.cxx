@@ -3,12 +3,12 @@
 #include "Arguments.h"
 #include "Arrays.h"
 #include "Call.h"
+#include "Errors.h"
 #include "Graph.h"
 #include "Module.h"
 #include "Outputs.h"
 
-#include "dggCloudGraphBuilder.h"
-#include "dggStatus.h"
+#include "dggCloudGraphTask.h"
 
 #include <utility>
 
@@ -46,7 +46,7 @@ Returns
 -------
 SimpleNamespace
     graph (a Graph); components (int32, shape (n,)), -1 for points that are not finite;
-    component_sizes; statistics, a dict of numbers.
+    component_sizes; statistics, a dict of numbers; warnings.
 
 Raises
 ------
@@ -87,27 +87,6 @@ struct CloudArguments
   dgg::CloudGraphOptions Options;
 };
 
-dgg::Status BuildCloudGraph(const dgg::TaskContext& context, dgg::CloudGraphOptions options,
-  dgg::CloudGraph& graph, dgg::CloudGraphStatistics& statistics)
-{
-  if (!context.Surface.IsCloud())
-  {
-    return dgg::InvalidInput("The surface is not a point cloud")
-      .At("Surface")
-      .Fix("Make the surface with {Cloud}");
-  }
-  DGG_RETURN_IF_ERROR(dgg::CloudGraphBuilder::Check(options));
-  options.MemoryLimit = static_cast<std::size_t>(context.Memory.GetBytes());
-  options.Parallel = context.Parallel;
-  options.NumberOfThreads = context.NumberOfThreads;
-  options.Progress = context.Progress;
-  DGG_RETURN_IF_ERROR(dgg::CloudGraphBuilder(
-    context.Surface.GetPositions(), context.Surface.GetMeshWithoutAngles().GetNumberOfVertices())
-                        .Build(options, graph, &statistics));
-  graph.Graph.Info.Surface = context.Surface.GetSignature();
-  return dgg::Status::Success();
-}
-
 py::dict ToDict(const dgg::CloudGraphStatistics& statistics)
 {
   py::dict dict;
@@ -134,13 +113,16 @@ py::object MakeCloudGraph(const std::shared_ptr<Surface>& surface, const py::kwa
   const CloudArguments cloud(arguments, *surface);
   dgg::CloudGraph graph;
   dgg::CloudGraphStatistics statistics;
-  call.Run(
-    [&] { return BuildCloudGraph(call.MakeContext(*surface), cloud.Options, graph, statistics); });
+  call.Run([&] {
+    const dgg::TaskContext context = call.MakeContext(*surface);
+    return dgg::BuildCloudGraph(context, cloud.Options, context.Progress, graph, statistics);
+  });
   py::object result = MakeNamespace();
   result.attr("graph") = Graph::Adopt(call, surface, graph.Graph, graph.Radii, graph.VoxelSize);
   result.attr("components") = ToArray(std::move(graph.Components));
   result.attr("component_sizes") = ToArray(std::move(graph.ComponentSizes));
   result.attr("statistics") = ToDict(statistics);
+  result.attr("warnings") = RenderWarnings(dgg::DescribeCloudGraph(cloud.Options, statistics));
   return result;
 }
 }
