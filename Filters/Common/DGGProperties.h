@@ -11,6 +11,7 @@
 #include "vtkType.h"   // for vtkIdType
 
 #include <ostream> // for printing
+#include <string>  // for messages
 #include <vector>  // for ids
 
 /// Defines both functions that set the data of an input port. The assertion requires a semicolon
@@ -25,6 +26,9 @@
     this->SetInputData(Port, data);                                 \
   }                                                                 \
   static_assert(true, #Name)
+
+/// Returns a message of the kernel in terms of filters: see dgg::Render().
+VTKDGGFILTERSCOMMON_EXPORT std::string DGGRender(const std::string& message);
 
 /// Returns the i-th id; -1 if there is none.
 VTKDGGFILTERSCOMMON_EXPORT vtkIdType DGGGetId(const std::vector<vtkIdType>& ids, vtkIdType i);

@@ -3,6 +3,7 @@
 #include "DGGSources.h"
 
 #include "DGGContext.h"
+#include "DGGProperties.h"
 #include "DGGSurfaceArrays.h"
 
 #include "dggPreparedSurface.h"
@@ -130,7 +131,7 @@ dgg::Status DGGCollect(const DGGSourceSet& set, dgg::SourceCollection& sources)
   sources.Role = set.Role;
   sources.Property = set.Property;
   sources.ArePairs = set.ArePairs;
-  sources.Port = set.Port;
+  sources.Input = dgg::JoinText("input port ", set.Port);
   sources.Surface = set.Surface;
   sources.Ids.assign(set.Ids.begin(), set.Ids.end());
   sources.IsConnected = set.Points != nullptr;
@@ -157,7 +158,7 @@ dgg::Status DGGLocate(const DGGContext& context, const DGGSourceSet& set, double
   {
     if (filter)
     {
-      vtkWarningWithObjectMacro(filter, << dgg::Render(warning) << ".");
+      vtkWarningWithObjectMacro(filter, << DGGRender(warning) << ".");
     }
   }
   return dgg::Status::Success();

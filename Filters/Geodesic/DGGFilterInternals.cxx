@@ -6,6 +6,7 @@
 #include "DGGMeshAdapter.h"
 #include "DGGOutput.h"
 #include "DGGPartedUpdate.h"
+#include "DGGProperties.h"
 #include "DGGSurfaceArrays.h"
 #include "DGGThreads.h"
 #include "vtkGeodesicAlgorithm.h"
@@ -138,7 +139,7 @@ dgg::Status DGGFilterInternals::Attempt(const std::function<dgg::Status()>& step
     {
       this->Filter->ErrorCode = vtkErrorCode::UserError;
     }
-    vtkErrorWithObjectMacro(this->Filter, << dgg::Render(status.GetMessage()));
+    vtkErrorWithObjectMacro(this->Filter, << DGGRender(status.GetMessage()));
   }
   return status;
 }
@@ -270,7 +271,7 @@ void DGGFilterInternals::Warn(const std::string& text) const
 {
   if (!text.empty())
   {
-    vtkWarningWithObjectMacro(this->Filter, << dgg::Render(text) << ".");
+    vtkWarningWithObjectMacro(this->Filter, << DGGRender(text) << ".");
   }
 }
 

@@ -40,7 +40,7 @@ public:
 
 private:
   dgg::Status ReadDistribution(const DGGContext& context, const std::string& arrayName,
-    vtkPolyData* points, dgg::MassDistribution& distribution) const;
+    vtkInformationVector** inputVector, int port, dgg::MassDistribution& distribution) const;
 };
 
 vtkDGGInternalsMacro(vtkSurfaceEarthMoversDistance);
@@ -120,10 +120,12 @@ dgg::Status vtkSurfaceEarthMoversDistance::vtkInternals::CheckProperties() const
 
 //------------------------------------------------------------------------------
 dgg::Status vtkSurfaceEarthMoversDistance::vtkInternals::ReadDistribution(const DGGContext& context,
-  const std::string& arrayName, vtkPolyData* points, dgg::MassDistribution& distribution) const
+  const std::string& arrayName, vtkInformationVector** inputVector, int port,
+  dgg::MassDistribution& distribution) const
 {
+  vtkPolyData* points = vtkPolyData::GetData(inputVector[port]);
   static const std::vector<vtkIdType> none;
-  const DGGSourceSet set{ none, points, distribution.Port, "'" + distribution.Role + "'", "", "" };
+  const DGGSourceSet set{ none, points, port, "'" + distribution.Role + "'", "", "" };
   distribution.Values = DGGReadArray(context.Input->GetPointData(), arrayName);
   distribution.Masses =
     DGGReadArray(points ? points->GetPointData() : nullptr, this->Self->MassArrayName);
@@ -138,12 +140,12 @@ dgg::Status vtkSurfaceEarthMoversDistance::vtkInternals::ReadDistribution(const 
 dgg::Status vtkSurfaceEarthMoversDistance::vtkInternals::Execute(
   const DGGContext& context, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  dgg::MassDistribution distributions[] = { { "from", "FromArrayName", 1 },
-    { "to", "ToArrayName", 2 } };
-  DGG_RETURN_IF_ERROR(this->ReadDistribution(
-    context, this->Self->FromArrayName, vtkPolyData::GetData(inputVector[1]), distributions[0]));
-  DGG_RETURN_IF_ERROR(this->ReadDistribution(
-    context, this->Self->ToArrayName, vtkPolyData::GetData(inputVector[2]), distributions[1]));
+  dgg::MassDistribution distributions[] = { { "from", "FromArrayName", "FromPoints" },
+    { "to", "ToArrayName", "ToPoints" } };
+  DGG_RETURN_IF_ERROR(
+    this->ReadDistribution(context, this->Self->FromArrayName, inputVector, 1, distributions[0]));
+  DGG_RETURN_IF_ERROR(
+    this->ReadDistribution(context, this->Self->ToArrayName, inputVector, 2, distributions[1]));
 
   dgg::EarthMoversTask task;
   task.Options.MostIterations = this->Self->MaximumNumberOfIterations;

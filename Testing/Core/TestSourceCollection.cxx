@@ -114,10 +114,17 @@ TEST(SourceCollection, WrongNumbersAreRefused)
     std::function<void(dgg::SourceCollection&)> Spoil;
     std::string Message;
   } const cases[] = {
-    { [](auto& s) { s.Positions.clear(); },
+    { [](auto& s) {
+       s.Positions.clear();
+       s.Input = "input port 1";
+     },
       "There is no source: input port 1 has no points. Set SourceIds, or add points to input port "
       "1." },
-    { [](auto& s) { s = dgg::SourceCollection(); }, "Connect points to input port 1" },
+    { [](auto& s) {
+       s = dgg::SourceCollection();
+       s.Input = "input port 1";
+     },
+      "Connect points to input port 1" },
     { [](auto& s) {
        s.Ids = { 0, 5 };
      },

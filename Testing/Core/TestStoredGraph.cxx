@@ -251,16 +251,16 @@ TEST(StoredGraph, RefusesOtherSurfaces)
     return dgg::Domain{ dgg::Domain::MergedSurface, tolerance };
   };
   ExpectRefused(GraphWorld(seam), *Prepare(seam, merged(0.0)), unchanged,
-    "was built with MergeCoincidentPoints off, but the filter has it on", false);
+    "was built with MergeCoincidentPoints off, but the surface has it on", false);
   GraphWorld tolerant(seam);
   tolerant.Surface = Prepare(seam, merged(0.001));
   tolerant.Graph = BuildGraph(tolerant.Surface->GetMesh(), 0.05);
   tolerant.Graph.Info.Surface = tolerant.Surface->GetSignature();
   ExpectRefused(tolerant, *Prepare(seam), unchanged,
-    "was built with MergeCoincidentPoints on, but the filter has it off", false);
+    "was built with MergeCoincidentPoints on, but the surface has it off", false);
   seam.Points[1] = 1e-3; // a different surface
   ExpectRefused(tolerant, *Prepare(seam, merged(0.0)), unchanged,
-    "was built with a MergeTolerance of 0.001, but the filter has 0", false);
+    "was built with a MergeTolerance of 0.001, but the surface has 0", false);
 }
 
 TEST(StoredGraph, RefusesBandsOfClouds)

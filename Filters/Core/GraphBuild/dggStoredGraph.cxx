@@ -108,7 +108,7 @@ template <typename... Parts>
 Status StoredGraph::Damaged(const Parts&... parts)
 {
   this->Damage = JoinText(parts...);
-  return Status(Status::Code::DamagedGraph, "The graph on the input is damaged: " + this->Damage);
+  return Status(Status::Code::DamagedGraph, "The graph {InArrays} is damaged: " + this->Damage);
 }
 
 Status StoredGraph::Read(
@@ -176,7 +176,7 @@ Status StoredGraph::ReadInfo(const StoredArray& array, bool isCloud)
   const auto* info = array.GetValues<std::int64_t>();
   if (array.Size >= 1 && info[Version] != FormatVersion)
   {
-    return InvalidInput("The graph on the input has the format version ", info[Version],
+    return InvalidInput("The graph {InArrays} has the format version ", info[Version],
       ", but this version of vtkDGG reads version ", FormatVersion);
   }
   if (array.Size != InfoSize)
@@ -195,7 +195,7 @@ Status StoredGraph::ReadInfo(const StoredArray& array, bool isCloud)
   }
   if (graph.Kind != (isCloud ? GraphKind::Cloud : GraphKind::Mesh))
   {
-    return InvalidInput("The graph on the input is that of ", isCloud ? "a mesh" : "a point cloud");
+    return InvalidInput("The graph {InArrays} is that of ", isCloud ? "a mesh" : "a point cloud");
   }
   if (!IsConstructionOf(info[Construction], graph.Kind))
   {
@@ -218,7 +218,7 @@ Status StoredGraph::ReadSizes(const Arrays& arrays, Offset numberOfPoints)
   }
   if (arrays[Offsets].Size != numberOfPoints + 1)
   {
-    return InvalidInput("The graph on the input does not fit: DGG.Offsets has ",
+    return InvalidInput("The graph {InArrays} does not fit: DGG.Offsets has ",
       Counted(arrays[Offsets].Size, "value"), ", but ", numberOfPoints, " points need ",
       numberOfPoints + 1);
   }
@@ -264,18 +264,18 @@ Status StoredGraph::CheckSurface(const std::int64_t* info, const PreparedSurface
   const bool wasMerged = info[Merged] != 0;
   if (wasMerged != IsMerged(surface))
   {
-    return InvalidInput("The graph on the input was built with {MergeCoincidentPoints} ",
-      wasMerged ? "on, but the filter has it off" : "off, but the filter has it on")
+    return InvalidInput("The graph {InArrays} was built with {MergeCoincidentPoints} ",
+      wasMerged ? "on, but the surface has it off" : "off, but the surface has it on")
       .At("MergeCoincidentPoints");
   }
   const double tolerance = CopyBits<double>(info[MergeTolerance]);
   if (tolerance != surface.GetDomain().MergeTolerance)
   {
-    return InvalidInput("The graph on the input was built with a {MergeTolerance} of ", tolerance,
-      ", but the filter has ", surface.GetDomain().MergeTolerance)
+    return InvalidInput("The graph {InArrays} was built with a {MergeTolerance} of ", tolerance,
+      ", but the surface has ", surface.GetDomain().MergeTolerance)
       .At("MergeTolerance");
   }
-  return InvalidInput("The graph on the input is out of date: ",
+  return InvalidInput("The graph {InArrays} is out of date: ",
     surface.IsCloud() ? "points" : "points or cells", " have changed since it was built");
 }
 
@@ -286,7 +286,7 @@ Status StoredGraph::CheckContents(
   if (!status.IsOk())
   {
     this->Damage = status.GetProblem();
-    return status.Of("The graph on the input is damaged");
+    return status.Of("The graph {InArrays} is damaged");
   }
   if (info[Checksum] != this->ComputeChecksum(info, parallel))
   {

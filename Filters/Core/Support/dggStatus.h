@@ -18,8 +18,9 @@ namespace dgg
 /// Outcome of a kernel call. The kernel never throws on bad input and never prints: it returns a
 /// description of the error, and the caller decides how to show it.
 ///
-/// Problem and action are sentences without a final period. They name properties of filters in
-/// braces, as in "{Accuracy}"; see Render().
+/// Problem and action are sentences without a final period. They name properties of filters, and
+/// inputs besides the surface, in braces, as in "{Accuracy}" and "{Curves}"; "{InArrays}" is where
+/// a stored graph was found. See Render().
 class DGG_CORE_EXPORT Status
 {
 public:

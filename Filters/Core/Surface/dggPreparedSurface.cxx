@@ -209,7 +209,7 @@ Status PreparedSurface::Triangulate(const SurfaceArrays& input, std::vector<Id>&
   return InvalidInput("The input has ",
     Counted(this->NumberOfDroppedCells, "polygon or strip", "polygons or strips"),
     ", but none with three distinct points")
-    .Fix("Connect a surface mesh");
+    .Fix("Use a surface mesh");
 }
 
 //------------------------------------------------------------------------------

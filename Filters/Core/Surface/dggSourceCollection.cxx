@@ -89,15 +89,15 @@ Status SourceCollection::Check(Offset numberOfPoints) const
 {
   if (this->Ids.empty() && this->Positions.empty())
   {
-    const Status status = InvalidInput("There is no ", this->Role,
-      this->IsConnected ? JoinText(": input port ", this->Port, " has no points") : "")
+    const Status status = InvalidInput(
+      "There is no ", this->Role, this->IsConnected ? ": " + this->Input + " has no points" : "")
                             .At(this->Property);
     const bool hasIds = !this->Property.empty();
-    return this->Port == 0
+    return this->Input.empty()
       ? status.Fix("Set {", this->Property, "}")
       : status.Fix(hasIds ? "Set {" + this->Property + "}, or " : "",
           this->IsConnected ? (hasIds ? "add" : "Add") : (hasIds ? "connect" : "Connect"),
-          " points to input port ", this->Port);
+          " points to ", this->Input);
   }
   for (std::size_t i = 0; i < this->Ids.size(); ++i)
   {

@@ -34,10 +34,10 @@ struct DGG_CORE_EXPORT SourceCollection
   /// Wording of messages.
   std::string Role;              ///< name of a point, such as "source"
   std::string Property;          ///< property of ids; empty if there is none
-  int Port = 1;                  ///< input port of the positions; 0 if Property has them, too
+  std::string Input;             ///< input of the positions; empty if Property has them, too
   std::string Surface = "input"; ///< name of the surface, if there are several
   bool ArePairs = false;         ///< true if points are starts and ends of pairs in turn
-  std::vector<Offset> Indices;   ///< per position, its index at the port; empty for 0, 1, 2 ...
+  std::vector<Offset> Indices;   ///< per position, its index in the input; empty for 0, 1, 2 ...
   ///@}
 
   std::vector<Offset> Ids;

@@ -105,12 +105,12 @@ void AddFlow(const PreparedSurface& surface, Offset numberOfCells, const std::ve
 //------------------------------------------------------------------------------
 Status MassDistribution::Check(const PreparedSurface& surface) const
 {
-  const std::string port = "input port " + std::to_string(this->Port);
+  const std::string points = "{" + this->PointsProperty + "}";
   if (this->Values.Name.empty() && this->NumberOfPlaces == 0)
   {
     return InvalidInput("There is nothing to move ", this->Role)
       .At(this->Property)
-      .Fix("Set {", this->Property, "} to the name of a point array, or connect points to ", port);
+      .Fix("Set {", this->Property, "} to the name of a point array, or add points to ", points);
   }
   if (!this->Values.Name.empty())
   {
@@ -119,7 +119,7 @@ Status MassDistribution::Check(const PreparedSurface& surface) const
   }
   return this->NumberOfPlaces == 0 || this->Masses.Name.empty()
     ? Status::Success()
-    : this->Masses.RequireNumbers(port, "MassArrayName", this->NumberOfPlaces, true);
+    : this->Masses.RequireNumbers(points, "MassArrayName", this->NumberOfPlaces, true);
 }
 
 //------------------------------------------------------------------------------

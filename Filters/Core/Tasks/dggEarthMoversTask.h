@@ -25,9 +25,9 @@ struct DGG_CORE_EXPORT MassDistribution
 {
   ///@{
   /// Words of messages.
-  std::string Role;     ///< "from" or "to"
-  std::string Property; ///< property with the name of Values
-  int Port;             ///< input port of other points
+  std::string Role;           ///< "from" or "to"
+  std::string Property;       ///< property with the name of Values
+  std::string PointsProperty; ///< name of the input of other points
   ///@}
 
   InputArray Values{};                ///< array of the surface; without a name if there are none

@@ -110,7 +110,7 @@ struct CurveReader
 //------------------------------------------------------------------------------
 Status CurveReader::Read()
 {
-  DGG_RETURN_IF_ERROR(this->Input.Lines.CheckOffsets("input port 1"));
+  DGG_RETURN_IF_ERROR(this->Input.Lines.CheckOffsets("{Curves}"));
   for (Offset line = 0; line < this->Input.Lines.NumberOfCells; ++line)
   {
     DGG_RETURN_IF_ERROR(this->AddLine(line));
@@ -136,7 +136,7 @@ Status CurveReader::AddLine(Offset line)
   const Offset* begin = lines.Ids + lines.Offsets[line];
   const Offset* end = lines.Ids + lines.Offsets[line + 1];
   GraphicsCurve curve;
-  curve.Name = JoinText("Line ", this->Input.FirstLine + line, " of input port 1");
+  curve.Name = JoinText("Line ", this->Input.FirstLine + line, " of {Curves}");
   curve.IsClosed = end - begin > 2 && *begin == *(end - 1);
   end -= curve.IsClosed ? 1 : 0;
   const auto missing =
@@ -182,7 +182,7 @@ Status CurveReader::ChooseChannels()
     }
     if (channels > 0 && array->NumberOfComponents != channels)
     {
-      return InvalidInput("The array '", first, "' of input port 1 has ",
+      return InvalidInput("The array '", first, "' of {Curves} has ",
         Counted(channels, "component"), ", but '", name, "' has ", array->NumberOfComponents)
         .Fix("Use one component per channel in both");
     }
@@ -212,8 +212,8 @@ Status CurveReader::ReadType(const Line& line, GraphicsCurve& curve) const
   }
   if (array.NumberOfComponents != 1)
   {
-    return InvalidInput("The cell array '", array.Name, "' of input port 1 has ",
-      array.NumberOfComponents, " components")
+    return InvalidInput(
+      "The cell array '", array.Name, "' of {Curves} has ", array.NumberOfComponents, " components")
       .Fix("Use an array with one component");
   }
   const double value = line.Cell < array.NumberOfTuples ? array.Get(line.Cell)
@@ -246,14 +246,13 @@ Status CurveReader::ReadTuples(const GraphicsArray& arrays, const Line& line, in
   if (array->NumberOfTuples != tuples)
   {
     return InvalidInput(
-      "The array '", name, "' of input port 1 has ", Counted(array->NumberOfTuples, "tuple"))
+      "The array '", name, "' of {Curves} has ", Counted(array->NumberOfTuples, "tuple"))
       .Fix("Use an array with ", Counted(tuples, "tuple"));
   }
   const int components = array->NumberOfComponents;
   if (components != channels && !(mayBeSingle && components == 1))
   {
-    return InvalidInput(
-      "The array '", name, "' of input port 1 has ", Counted(components, "component"))
+    return InvalidInput("The array '", name, "' of {Curves} has ", Counted(components, "component"))
       .Fix("Use an array with ", Counted(channels, "component"),
         mayBeSingle && channels > 1 ? " or 1" : "");
   }
@@ -266,7 +265,7 @@ Status CurveReader::ReadTuples(const GraphicsArray& arrays, const Line& line, in
       const double value = array->Get(tuple, components == 1 ? 0 : c);
       if (!std::isfinite(value))
       {
-        return InvalidInput("The array '", name, "' of input port 1 has the value ", value, " at ",
+        return InvalidInput("The array '", name, "' of {Curves} has the value ", value, " at ",
           isOfPoints ? "point " : "cell ", tuple)
           .Fix("Use finite numbers");
       }
@@ -432,7 +431,7 @@ Status ReadGraphics(
   else if (drawing.Curves.empty())
   {
     return InvalidInput("There is nothing to draw")
-      .Fix("Connect lines to input port 1, or set {RegionArrayName}");
+      .Fix("Add lines to {Curves}, or set {RegionArrayName}");
   }
   return input.WantRefinement ? FindRefinedFaces(input, surface, drawing.RefinedFaces)
                               : Status::Success();

@@ -25,7 +25,7 @@ struct GraphicsArray
 struct GraphicsInput
 {
   ///@{
-  /// Lines of input port 1.
+  /// Lines of the input {Curves}.
   CellArrays Lines;
   Offset FirstLine = 0;     ///< cell id of the first line
   Offset NumberOfCells = 0; ///< cells of any type

@@ -224,7 +224,7 @@ std::string DescribeRidges(const IsolineTaskOptions& options, const FieldReader&
   }
   return options.WithRidges && reader.HasFittedSources()
     ? "Ridges of virtual sources that are fitted to distances alone are not reliable. Turn on "
-      "{GenerateWindows} or {GenerateVirtualSource} of the distance filter"
+      "{GenerateWindows} or {GenerateVirtualSource} of the distances"
     : "";
 }
 

@@ -241,21 +241,21 @@ Status PathSearch::RunExact(Paths& paths) const
 //------------------------------------------------------------------------------
 Status ReadPathEnds(const CellArrays& lines, Offset numberOfPoints, std::vector<Offset>& ends)
 {
-  DGG_RETURN_IF_ERROR(lines.CheckOffsets("input port 1"));
+  DGG_RETURN_IF_ERROR(lines.CheckOffsets("{Pairs}"));
   for (Offset i = 0; i < lines.NumberOfCells; ++i)
   {
     const Offset begin = lines.Offsets[i];
     const Offset end = lines.Offsets[i + 1];
     if (begin == end)
     {
-      return InvalidInput("Line ", i, " of input port 1 has no points").Fix("Remove the line");
+      return InvalidInput("Line ", i, " of {Pairs} has no points").Fix("Remove the line");
     }
     for (const Offset id : { lines.Ids[begin], lines.Ids[end - 1] })
     {
       if (id < 0 || id >= numberOfPoints)
       {
-        return InvalidInput("Line ", i, " of input port 1 refers to point ", id,
-          ", but the port has ", Counted(numberOfPoints, "point"))
+        return InvalidInput("Line ", i, " of {Pairs} refers to point ", id, ", but there are ",
+          Counted(numberOfPoints, "point"))
           .Fix("Repair the line");
       }
       ends.push_back(id);

@@ -294,7 +294,7 @@ Status SplineTask::ReadSiteValues(
   }
   return numberOfPoints == 0
     ? Status::Success()
-    : this->AppendSiteValues(this->PointValues, "input port 1", numberOfPoints, nullptr);
+    : this->AppendSiteValues(this->PointValues, "{PointValues}", numberOfPoints, nullptr);
 }
 
 //------------------------------------------------------------------------------

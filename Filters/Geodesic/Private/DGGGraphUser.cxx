@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DGGGraphUser.h"
+#include "DGGProperties.h"
 
 #include "dggStatus.h"
 
@@ -82,8 +83,8 @@ dgg::Status DGGGraphUser::Update(const DGGContext& context, vtkObject* filter)
   const bool found = this->InputGraph.Find(data, context, complaint);
   if (!complaint.empty() && !isCloud)
   {
-    vtkWarningWithObjectMacro(filter, << dgg::Render(complaint + ". A graph with {Accuracy} ")
-                                      << this->Accuracy << " replaces it.");
+    vtkWarningWithObjectMacro(filter,
+      << DGGRender(complaint + ". A graph with {Accuracy} ") << this->Accuracy << " replaces it.");
   }
   dgg::Status status;
   if (found)

@@ -56,9 +56,9 @@ Error
 /// A distribution and its points, before they are located.
 struct Distribution
 {
-  Distribution(Arguments& arguments, const std::string& role, const char* property,
-    const char* pointsProperty, int port)
-    : Mass{ role, property, port }
+  Distribution(
+    Arguments& arguments, const std::string& role, const char* property, const char* pointsProperty)
+    : Mass{ role, property, pointsProperty }
     , Points(arguments.Take((role + "_points").c_str()), "\"" + role + "\"", pointsProperty)
   {
     const std::string masses = role + "_masses";
@@ -97,8 +97,8 @@ py::object FindEarthMovers(const Surface& surface, const py::kwargs& keywords)
 {
   Arguments arguments(keywords);
   Call call(arguments);
-  Distribution from(arguments, "from", "FromValues", "FromPoints", 1);
-  Distribution to(arguments, "to", "ToValues", "ToPoints", 2);
+  Distribution from(arguments, "from", "FromValues", "FromPoints");
+  Distribution to(arguments, "to", "ToValues", "ToPoints");
   dgg::EarthMoversTask task = ReadTask(arguments, surface);
   const SessionPool<dgg::PoissonSession>::Loan session(surface.GetPool<dgg::PoissonSession>());
   dgg::Output output;

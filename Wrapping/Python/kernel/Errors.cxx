@@ -103,8 +103,9 @@ std::string GetPropertyName(const std::string& argument)
 //------------------------------------------------------------------------------
 std::string RenderMessage(const std::string& message)
 {
-  return dgg::Render(
-    message, [](const std::string& property) { return "`" + GetArgumentName(property) + "`"; });
+  return dgg::Render(message, [](const std::string& property) {
+    return property == "InArrays" ? "in `arrays`" : "`" + GetArgumentName(property) + "`";
+  });
 }
 
 //------------------------------------------------------------------------------

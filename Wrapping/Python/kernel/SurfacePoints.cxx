@@ -85,7 +85,6 @@ SurfacePoints::SurfacePoints(
   const std::string argument = GetArgumentName(property);
   this->Collection.Role = role;
   this->Collection.Property = property;
-  this->Collection.Port = 0;
   if (!object || object.is_none())
   {
     return;
