@@ -6,49 +6,17 @@
 #include "DGGMeshConversion.h"
 
 #include "vtkCellData.h"
-#include "vtkDataArray.h"
 #include "vtkErrorCode.h"
 #include "vtkInformation.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
-#include "vtkTriangleFilter.h"
 
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
 #include <iterator>
 #include <string>
-
-namespace
-{
-/// Returns true if double does not hold all integers of the array exactly.
-bool HasLargeIntegers(vtkDataArray* array)
-{
-  const bool isWide = array->GetDataTypeSize() == 8 && array->GetDataType() != VTK_DOUBLE;
-  for (int c = 0; isWide && c < array->GetNumberOfComponents(); ++c)
-  {
-    const double* range = array->GetRange(c);
-    if (std::max(-range[0], range[1]) >= 9007199254740992.0)
-    {
-      return true;
-    }
-  }
-  return false;
-}
-
-bool HasTrianglesOnly(const dgg::CellList& polygons)
-{
-  std::int64_t corners = 0;
-  return std::all_of(
-    polygons.Offsets.begin(), polygons.Offsets.end(), [&corners](std::int64_t end) {
-      const bool isNext = end == corners;
-      corners += 3;
-      return isNext;
-    });
-}
-}
 
 vtkStandardNewMacro(vtkDGGMeshWriter);
 
@@ -98,21 +66,15 @@ int vtkDGGMeshWriter::FindFormat() const
   return found == std::end(extensions) ? -1 : static_cast<int>(found - std::begin(extensions));
 }
 
-void vtkDGGMeshWriter::WarnOfArrays(vtkFieldData* data, bool isPLY)
+void vtkDGGMeshWriter::WarnOfArrays(vtkFieldData* data)
 {
   for (int i = 0; i < data->GetNumberOfArrays(); ++i)
   {
     const char* name = data->GetArrayName(i);
     name = name ? name : "(without a name)";
-    vtkDataArray* array = data->GetArray(i);
-    if (!array)
+    if (!data->GetArray(i))
     {
       vtkWarningMacro("The array " << name << " is skipped: its values are not numeric.");
-    }
-    else if (isPLY && HasLargeIntegers(array))
-    {
-      vtkWarningMacro(
-        "The array " << name << " has integers of 2^53 or more, which a PLY file rounds.");
     }
   }
 }
@@ -131,27 +93,17 @@ void vtkDGGMeshWriter::WriteData()
     if (format != dgg::FileFormat::OBJ && format != dgg::FileFormat::OFF &&
       format != dgg::FileFormat::STL && format != dgg::FileFormat::XYZ)
     {
-      this->WarnOfArrays(input->GetPointData(), format == dgg::FileFormat::PLY);
+      this->WarnOfArrays(input->GetPointData());
     }
     if (format == dgg::FileFormat::PLY)
     {
-      this->WarnOfArrays(input->GetCellData(), true);
+      this->WarnOfArrays(input->GetCellData());
     }
-    dgg::MeshData mesh;
-    dgg::FileStatus status = vtkDGG::FromPolyData(input, mesh);
-    if (status.IsOk() && format == dgg::FileFormat::STL && !HasTrianglesOnly(mesh.Polygons))
+    dgg::MeshData mesh = vtkDGG::FromPolyData(input);
+    const dgg::FileStatus status = dgg::WriteMesh(format, this->FileName, mesh, progress);
+    for (const std::string& warning : mesh.Warnings)
     {
-      vtkNew<vtkTriangleFilter> triangulate;
-      triangulate->PassVertsOff();
-      triangulate->PassLinesOff();
-      triangulate->SetInputData(input);
-      triangulate->Update();
-      mesh = dgg::MeshData();
-      status = vtkDGG::FromPolyData(triangulate->GetOutput(), mesh);
-    }
-    if (status.IsOk())
-    {
-      status = dgg::WriteMesh(format, this->FileName, std::move(mesh), progress);
+      vtkWarningMacro(<< warning);
     }
     this->IsWritten = status.IsOk();
     return status;

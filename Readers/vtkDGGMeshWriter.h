@@ -87,7 +87,7 @@ private:
   vtkDGGMeshWriter(const vtkDGGMeshWriter&) = delete;
   void operator=(const vtkDGGMeshWriter&) = delete;
 
-  void WarnOfArrays(vtkFieldData* data, bool isPLY);
+  void WarnOfArrays(vtkFieldData* data);
 
   char* FileName = nullptr;
   bool IsWritten = false;

@@ -3,6 +3,7 @@
 #include "vtkDGGPointFields.h"
 
 #include "DGGMeshConversion.h"
+#include "dggMeshArrays.h"
 #include "dggPointCloud.h"
 
 #include "vtkDataArray.h"
@@ -89,35 +90,19 @@ std::vector<const vtkDGG::PointFieldSource*> vtkDGG::FindPointFields(
 
 void vtkDGG::GetPointCloudLayout(vtkPolyData* data, PointCloudView& cloud)
 {
-  const vtkIdType count = data->GetNumberOfPoints();
-  cloud.Width = count;
-  cloud.Height = 1;
-  cloud.Sensor = PointCloudView().Sensor;
-  const auto getValues = [data](const char* name, vtkIdType length) {
+  const auto getValues = [data](const char* name) {
     vtkDataArray* array = data->GetFieldData()->GetArray(name);
     std::vector<double> values;
-    for (vtkIdType i = 0; array && array->GetNumberOfValues() == length && i < length; ++i)
+    for (vtkIdType i = 0; array && i < array->GetNumberOfValues(); ++i)
     {
       const int components = array->GetNumberOfComponents();
       values.push_back(array->GetComponent(i / components, static_cast<int>(i % components)));
     }
     return values;
   };
-  const std::vector<double> size = getValues(vtkDGG::DimensionsName, 2);
-  if (!size.empty() && size[0] >= 1.0 && size[1] >= 1.0 &&
-    size[0] * size[1] == static_cast<double>(count))
-  {
-    const auto width = static_cast<vtkIdType>(size[0]);
-    const auto height = static_cast<vtkIdType>(size[1]);
-    cloud.Width = width * height == count ? width : count;
-    cloud.Height = width * height == count ? height : 1;
-  }
-  const std::vector<double> sensor = getValues(vtkDGG::ViewpointName, 7);
-  if (!sensor.empty() &&
-    std::all_of(sensor.begin(), sensor.end(), [](double v) { return std::isfinite(v); }))
-  {
-    std::copy(sensor.begin(), sensor.end(), cloud.Sensor.begin());
-  }
+  static_cast<dgg::CloudLayout&>(cloud) =
+    dgg::ReadLayout(static_cast<std::size_t>(data->GetNumberOfPoints()),
+      getValues(dgg::DimensionsName), getValues(dgg::ViewpointName));
 }
 
 bool vtkDGG::IsPointCloudDense(vtkPolyData* data)

@@ -11,7 +11,8 @@ DGG_ROOT="$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)"
 # What a build needs, and what a picture needs. Debian's VTK looks for its Qt parts when configured.
 # PCL has one package of headers for all of its parts, which brings 130 others (42 MB).
 DGG_PACKAGES=(build-essential cmake ninja-build libeigen3-dev libflann-dev libnanoflann-dev libpcl-dev
-  libspectra-dev libvtk9-dev libvtk9-qt-dev python3 python3-numpy python3-vtk9 xvfb xauth zlib1g-dev)
+  libspectra-dev libvtk9-dev libvtk9-qt-dev pybind11-dev python3-dev python3-numpy python3-vtk9 xvfb xauth
+  zlib1g-dev)
 
 dgg_fail() {
   echo "error: $*" >&2

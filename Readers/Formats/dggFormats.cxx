@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggFormats.h"
 
+#include "dggMeshChecks.h"
 #include "dggParsers.h"
 #include "dggWriters.h"
 
@@ -78,9 +79,18 @@ dgg::FileStatus dgg::ReadMesh(
 }
 
 dgg::FileStatus dgg::WriteMesh(
-  FileFormat format, const std::string& fileName, MeshData&& mesh, const FileProgress& progress)
+  FileFormat format, const std::string& fileName, MeshData& mesh, const FileProgress& progress)
 {
   return Run([&] {
+    CheckMesh(mesh);
+    if (format == FileFormat::PLY)
+    {
+      WarnOfRounding(mesh);
+    }
+    if (format == FileFormat::STL)
+    {
+      TriangulatePolygons(mesh);
+    }
     const Format& writer = Formats[static_cast<int>(format)];
     if (mesh.Lines.GetCount() > 0 && !writer.HasLines)
     {

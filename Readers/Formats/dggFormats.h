@@ -54,9 +54,11 @@ FileStatus ReadMesh(
   FileFormat format, const std::string& fileName, const FileProgress& progress, MeshData& mesh);
 
 /// Writes a file, which replaces an older one only when it is complete. Data that the format cannot
-/// store are skipped or refused; vtkDGGMeshWriter lists them. The mesh must not be used afterwards.
+/// store are skipped or refused; vtkDGGMeshWriter lists them. Cells without points are skipped, and
+/// STL files get the triangles of polygons. Fails if a cell or an array does not fit the points.
+/// Afterwards only the warnings of the mesh may be used.
 FileStatus WriteMesh(
-  FileFormat format, const std::string& fileName, MeshData&& mesh, const FileProgress& progress);
+  FileFormat format, const std::string& fileName, MeshData& mesh, const FileProgress& progress);
 
 /// Returns true if the beginning of the file has the given format.
 bool LooksLike(FileFormat format, const std::string& fileName);

@@ -3,6 +3,7 @@
 #include "DGGMeshConversion.h"
 
 #include "DGGCompatibility.h"
+#include "dggMeshArrays.h"
 #include "dggNumberTypes.h"
 #include "vtkDGGPointFields.h"
 
@@ -17,7 +18,6 @@
 #include "vtkPolyData.h"
 #include "vtkTriangleStrip.h"
 
-#include <algorithm>
 #include <cstring>
 #include <new>
 
@@ -43,12 +43,17 @@ vtkSmartPointer<vtkDataArray> MakeArray(
   return array;
 }
 
+vtkSmartPointer<vtkDataArray> MakeArray(dgg::DataArray& in)
+{
+  return std::visit(
+    [&in](auto& values) { return MakeArray(values, in.Components, in.Name.c_str()); }, in.Values);
+}
+
 void AddArrays(std::vector<dgg::DataArray>& arrays, vtkDataSetAttributes* data)
 {
   for (dgg::DataArray& in : arrays)
   {
-    vtkSmartPointer<vtkDataArray> array = std::visit(
-      [&in](auto& values) { return MakeArray(values, in.Components, in.Name.c_str()); }, in.Values);
+    const vtkSmartPointer<vtkDataArray> array = MakeArray(in);
     data->AddArray(array);
     switch (in.Role)
     {
@@ -73,46 +78,17 @@ vtkSmartPointer<vtkCellArray> MakeCells(dgg::CellList& list)
   cells->SetData(MakeArray(list.Offsets, 1), MakeArray(list.Connectivity, 1));
   return cells;
 }
-/// Copies cells, whose ids must be below `count`. Cells without points are skipped.
-bool AddCells(vtkCellArray* cells, vtkIdType count, dgg::CellList& list, std::vector<bool>& areKept)
+
+void AddCells(vtkCellArray* cells, dgg::CellList& list)
 {
   for (vtkIdType i = 0; i < cells->GetNumberOfCells(); ++i)
   {
     vtkIdType size = 0;
     const vtkIdType* ids = nullptr;
     cells->GetCellAtId(i, size, ids);
-    for (vtkIdType k = 0; k < size; ++k)
-    {
-      if (ids[k] < 0 || ids[k] >= count)
-      {
-        return false;
-      }
-      list.Connectivity.push_back(ids[k]);
-    }
-    areKept.push_back(size > 0);
-    if (size > 0)
-    {
-      list.EndCell();
-    }
+    list.Connectivity.insert(list.Connectivity.end(), ids, ids + size);
+    list.EndCell();
   }
-  return true;
-}
-
-/// Removes the values of skipped cells.
-void RemoveValues(const std::vector<bool>& areKept, dgg::DataArray& array)
-{
-  const int components = array.Components;
-  std::visit(
-    [&](auto& values) {
-      std::decay_t<decltype(values)> kept;
-      for (std::size_t i = 0; i < areKept.size(); ++i)
-      {
-        const auto first = values.begin() + static_cast<std::ptrdiff_t>(i) * components;
-        kept.insert(kept.end(), first, first + (areKept[i] ? components : 0));
-      }
-      values = std::move(kept);
-    },
-    array.Values);
 }
 
 /// Copies the values; bits become bytes.
@@ -146,79 +122,28 @@ dgg::DataArray ReadArray(vtkDataArray* array)
   return result;
 }
 
-/// Returns the array of colors with `components` components, or null.
-vtkDataArray* FindColors(vtkDataSetAttributes* data, int components)
+/// Copies all arrays of numbers, those with a role first.
+std::vector<dgg::DataArray> ReadArrays(vtkDataSetAttributes* data)
 {
-  for (vtkDataArray* array :
-    { data->GetArray(components == 3 ? "RGB" : "RGBA"), data->GetScalars() })
-  {
-    if (array && array->GetDataType() == VTK_UNSIGNED_CHAR &&
-      array->GetNumberOfComponents() == components)
-    {
-      return array;
-    }
-  }
-  return nullptr;
-}
-
-/// Copies all arrays of numbers, the active ones first. An array that does not fit the points or
-/// cells is an error, which names their kind, or skipped if `kind` is null.
-dgg::FileStatus ReadArrays(vtkDataSetAttributes* data, const char* kind, vtkIdType count,
-  std::vector<dgg::DataArray>& result)
-{
-  const auto isVector = [](vtkDataArray* array, int components) {
-    return array && array->GetNumberOfComponents() == components &&
-      (array->GetDataType() == VTK_FLOAT || array->GetDataType() == VTK_DOUBLE);
-  };
-  std::vector<std::pair<vtkDataArray*, dgg::ArrayRole>> arrays;
-  if (isVector(data->GetNormals(), 3))
-  {
-    arrays.emplace_back(data->GetNormals(), dgg::ArrayRole::Normals);
-  }
-  if (isVector(data->GetTCoords(), 2))
-  {
-    arrays.emplace_back(data->GetTCoords(), dgg::ArrayRole::TCoords);
-  }
-  vtkDataArray* colors[] = { FindColors(data, 3), FindColors(data, 4) };
-  if (colors[1] == data->GetScalars())
-  {
-    std::swap(colors[0], colors[1]);
-  }
-  for (vtkDataArray* array : colors)
-  {
-    if (array)
-    {
-      arrays.emplace_back(array, dgg::ArrayRole::Colors);
-    }
-  }
+  std::vector<dgg::DataArray> result;
+  dgg::ActiveArrays active;
   for (int i = 0; i < data->GetNumberOfArrays(); ++i)
   {
     vtkDataArray* array = data->GetArray(i); // null for strings
-    if (array && array->GetNumberOfComponents() > 0 &&
-      std::none_of(
-        arrays.begin(), arrays.end(), [array](const auto& other) { return other.first == array; }))
+    if (!array || array->GetNumberOfComponents() == 0)
     {
-      arrays.emplace_back(array, dgg::ArrayRole::None);
+      continue;
     }
-  }
-  for (const auto& [array, role] : arrays)
-  {
-    if (array->GetNumberOfTuples() != count)
-    {
-      if (!kind)
-      {
-        continue;
-      }
-      return { dgg::FileStatus::Code::Malformed,
-        std::string("the ") + kind + " array " + (array->GetName() ? array->GetName() : "") +
-          " has " + std::to_string(array->GetNumberOfTuples()) + " values for " +
-          std::to_string(count) + " " + kind + "s." };
-    }
+    const auto index = static_cast<int>(result.size());
+    active.Normals = array == data->GetNormals() ? index : active.Normals;
+    active.TCoords = array == data->GetTCoords() ? index : active.TCoords;
+    active.Scalars = array == data->GetScalars() ? index : active.Scalars;
     result.push_back(ReadArray(array));
-    result.back().Role = role;
   }
-  return {};
+  dgg::SetRoles(result, active);
+  return result;
 }
+
 /// Copies the coordinates and the layout of a cloud.
 void ReadPoints(vtkPolyData* input, dgg::MeshData& mesh)
 {
@@ -270,9 +195,9 @@ unsigned long vtkDGG::RunOnFile(vtkAlgorithm* algorithm, const char* verb, const
   return code;
 }
 
-dgg::FileStatus vtkDGG::FromPolyData(vtkPolyData* input, dgg::MeshData& mesh)
+dgg::MeshData vtkDGG::FromPolyData(vtkPolyData* input)
 {
-  const vtkIdType count = input->GetNumberOfPoints();
+  dgg::MeshData mesh;
   ReadPoints(input, mesh);
   vtkNew<vtkCellArray> triangles;
   vtkCellArray* strips = input->GetStrips();
@@ -283,36 +208,31 @@ dgg::FileStatus vtkDGG::FromPolyData(vtkPolyData* input, dgg::MeshData& mesh)
     strips->GetCellAtId(i, size, ids);
     vtkTriangleStrip::DecomposeStrip(static_cast<int>(size), ids, triangles);
   }
-  std::vector<bool> areKept;
-  if (!AddCells(input->GetVerts(), count, mesh.Verts, areKept) ||
-    !AddCells(input->GetLines(), count, mesh.Lines, areKept) ||
-    !AddCells(input->GetPolys(), count, mesh.Polygons, areKept) ||
-    !AddCells(triangles, count, mesh.Polygons, areKept))
+  AddCells(input->GetVerts(), mesh.Verts);
+  AddCells(input->GetLines(), mesh.Lines);
+  AddCells(input->GetPolys(), mesh.Polygons);
+  AddCells(triangles, mesh.Polygons);
+  mesh.PointArrays = ReadArrays(input->GetPointData());
+  if (strips->GetNumberOfCells() == 0)
   {
-    return { dgg::FileStatus::Code::Malformed,
-      "a cell has a point id that is out of range: the number of points is " +
-        std::to_string(count) + "." };
+    mesh.CellArrays = ReadArrays(input->GetCellData());
   }
-  dgg::FileStatus status = ReadArrays(input->GetPointData(), "point", count, mesh.PointArrays);
-  if (status.IsOk() && strips->GetNumberOfCells() == 0)
-  {
-    status = ReadArrays(input->GetCellData(), "cell", input->GetNumberOfCells(), mesh.CellArrays);
-  }
-  if (std::find(areKept.begin(), areKept.end(), false) != areKept.end())
-  {
-    for (dgg::DataArray& array : mesh.CellArrays)
-    {
-      RemoveValues(areKept, array);
-    }
-  }
-  return status;
+  return mesh;
 }
 
 dgg::MeshData vtkDGG::FromPointsOf(vtkPolyData* input)
 {
   dgg::MeshData mesh;
   ReadPoints(input, mesh);
-  ReadArrays(input->GetPointData(), nullptr, input->GetNumberOfPoints(), mesh.PointArrays);
+  const auto count = static_cast<std::size_t>(input->GetNumberOfPoints());
+  for (dgg::DataArray& array : ReadArrays(input->GetPointData()))
+  {
+    const std::size_t values = std::visit([](const auto& v) { return v.size(); }, array.Values);
+    if (values == count * static_cast<std::size_t>(array.Components))
+    {
+      mesh.PointArrays.push_back(std::move(array));
+    }
+  }
   return mesh;
 }
 
@@ -342,10 +262,9 @@ void vtkDGG::ToPolyData(dgg::MeshData&& mesh, vtkPolyData* output)
   AddArrays(mesh.CellArrays, output->GetCellData());
   if (mesh.Layout)
   {
-    vtkFieldData* data = output->GetFieldData();
-    std::vector<std::int64_t> size = { mesh.Layout->Width, mesh.Layout->Height };
-    data->AddArray(MakeArray(size, 1, DimensionsName));
-    std::vector<double> sensor(mesh.Layout->Sensor.begin(), mesh.Layout->Sensor.end());
-    data->AddArray(MakeArray(sensor, 1, ViewpointName));
+    for (dgg::DataArray& array : dgg::MakeLayoutArrays(*mesh.Layout))
+    {
+      output->GetFieldData()->AddArray(MakeArray(array));
+    }
   }
 }

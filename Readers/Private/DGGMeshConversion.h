@@ -12,10 +12,6 @@ class vtkPolyData;
 
 namespace vtkDGG
 {
-/// Names in the field data of point clouds.
-constexpr const char* DimensionsName = "PCD.Dimensions";
-constexpr const char* ViewpointName = "PCD.Viewpoint";
-
 /// Reads or writes a file by `work`, which receives a callback that reports progress and returns
 /// false once the user has aborted. Reports an error as "Cannot <verb> <fileName>: ..." and returns
 /// its vtkErrorCode; NoError after an abort as well.
@@ -23,9 +19,8 @@ unsigned long RunOnFile(vtkAlgorithm* algorithm, const char* verb, const char* f
   const std::function<dgg::FileStatus(const dgg::FileProgress&)>& work);
 
 /// Copies points, cells and arrays of numbers; triangle strips become triangles, and then there are
-/// no cell arrays. Cells without points are skipped. Fails if a cell or an array does not fit the
-/// points.
-dgg::FileStatus FromPolyData(vtkPolyData* input, dgg::MeshData& mesh);
+/// no cell arrays.
+dgg::MeshData FromPolyData(vtkPolyData* input);
 
 /// Copies points and those point arrays of numbers that have a value for each point.
 dgg::MeshData FromPointsOf(vtkPolyData* input);

@@ -9,6 +9,7 @@ import os
 import pickle
 import signal
 import sys
+import tempfile
 import threading
 import unittest
 from concurrent.futures import ThreadPoolExecutor
@@ -442,6 +443,105 @@ class Calls(unittest.TestCase):
             counted.append((len(gc.get_objects()), sys.getrefcount(points), sys.getrefcount(None)))
         self.assertEqual(counted[1][:2], counted[-1][:2])
         self.assertLess(abs(counted[-1][2] - counted[1][2]), 50)
+
+
+class Files(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.path = os.path.join(folder.name, "gr\u00fcn")
+
+    def write_and_read(self, file_format, *mesh, **options):
+        """Returns the contents of a file, whose arrays must be writeable after the next call."""
+        self.assertEqual(kernel.write_mesh(self.path, file_format, *mesh, **options), [])
+        found = kernel.read_mesh(self.path, file_format.partition("_")[0])
+        for array in (found.points, *found.cells["polygons"], *found.point_data.values()):
+            array += 0
+        return found
+
+    def test_round_trip(self):
+        points, triangles = PLANE
+        random = np.random.default_rng(3)
+        points = points + random.random(points.shape)
+        data = {
+            "id": np.arange(len(points), dtype=">i4"),
+            "Normals": random.random(points.shape),
+            "RGB": random.integers(0, 256, points.shape, dtype=np.uint8),
+        }
+        for file_format, names, has_polygons in (
+            ("obj", ["Normals", "RGB"], True),
+            ("off", ["Normals", "RGB"], True),
+            ("ply", ["Normals", "RGB", "id"], True),
+            ("stl", [], True),
+            ("pcd", ["Normals", "RGB", "id"], False),
+            ("pcd_text", ["Normals", "RGB", "id"], False),
+            ("pcd_compressed", ["Normals", "RGB", "id"], False),
+            ("xyz", [], False),
+        ):
+            with self.subTest(file_format):
+                found = self.write_and_read(
+                    file_format,
+                    points,
+                    polygons=triangles,
+                    point_data=data,
+                    active={"normals": "Normals"},
+                )
+                self.assertEqual(list(found.point_data), names)
+                for name in names:
+                    np.testing.assert_allclose(found.point_data[name], data[name], rtol=1e-6)
+                    self.assertEqual(found.point_data[name].dtype.kind, data[name].dtype.kind)
+                if names:
+                    self.assertEqual(found.active, {"normals": "Normals", "scalars": "RGB"})
+                if has_polygons:  # points of STL files are in the order of the triangles
+                    corners = found.points[found.cells["polygons"][1]]
+                    np.testing.assert_array_equal(corners, points[triangles.ravel()])
+                else:
+                    np.testing.assert_array_equal(found.points, points)
+
+    def test_precision_and_layout(self):
+        layout = {"PCD.Dimensions": [7, 63], "PCD.Viewpoint": [1, 2, 3, 1, 0, 0, 0]}
+        for dtype in (np.float32, np.float64):
+            points = PLANE[0].astype(dtype)
+            found = self.write_and_read("pcd", points, field_data=layout)
+            self.assertEqual(found.points.dtype, dtype)
+            for name, values in layout.items():
+                self.assertEqual(found.field_data[name].tolist(), values)
+
+    def test_triangles_of_polygons(self):
+        """A polygon in the shape of an L, of area 3."""
+        points = [[0, 0, 0], [2, 0, 0], [2, 1, 0], [1, 1, 0], [1, 2, 0], [0, 2, 0]]
+        found = self.write_and_read("stl", points, polygons=[range(6)])
+        corners = found.points[found.cells["polygons"][1]].reshape(-1, 3, 3)
+        normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+        np.testing.assert_array_equal(0.5 * normals.sum(axis=0), [0, 0, 3])
+        self.assertTrue((normals[:, 2] > 0).all())
+
+    def test_errors(self):
+        points, triangles = PLANE
+        ply = {"polygons": triangles}
+        for error, text, *arguments in (
+            (ValueError, "format: expected one of", self.path, "abc", points),
+            (ValueError, "id that is out of range", self.path, "ply", points[:9], ply),
+            (ValueError, "point array a has 1 values for 441", self.path, "ply", points,
+             {"point_data": {"a": [1]}}),
+            (ValueError, "a: expected numbers", self.path, "ply", points,
+             {"point_data": {"a": ["x"] * len(points)}}),
+            (ValueError, "cannot store lines", self.path, "xyz", points, {"lines": [[0, 1]]}),
+            (OSError, "cannot be opened", self.path + "/none/x.ply", "ply", points, ply),
+        ):  # fmt: skip
+            options = arguments.pop() if isinstance(arguments[-1], dict) else {}
+            with self.subTest(text), self.assertRaisesRegex(error, text):
+                kernel.write_mesh(*arguments, **options)
+            self.assertFalse(os.path.exists(self.path))
+        with self.assertRaises(FileNotFoundError):
+            kernel.read_mesh(self.path, "ply")
+        with open(self.path, "wb") as file:
+            file.write(b"ply\nformat ascii 1.0\nelement vertex 9\n")
+        with self.assertRaisesRegex(ValueError, "truncated"):
+            kernel.read_mesh(self.path, "ply")
+        rounded = {"point_data": {"a": np.full(len(points), 2**53)}}
+        texts = kernel.write_mesh(self.path, "ply", points, **rounded)
+        self.assertIn("The array a has integers", texts[0])
 
 
 if __name__ == "__main__":

@@ -14,30 +14,18 @@ import warnings
 import zlib
 from typing import Any
 
-from .errors import VTKError, check, depth_of_package
+import numpy as np
+
+from . import _kernel
+from .data_set import ATTRIBUTES
+from .errors import VTKError, depth_of_package
 from .legacy_format import LegacyFile
 from .mesh import Mesh
-from .surface import grid_of, mesh_of, surface_of
-from .vtkDGGReaders import (
-    vtkDGGOBJReader,
-    vtkDGGOFFReader,
-    vtkDGGPLYReader,
-    vtkDGGSTLReader,
-    vtkDGGXYZReader,
-    vtkPCDReader,
-)
 from .xml_format import XMLFile
 
 __all__ = ["read"]
 
-OWN = {
-    ".obj": vtkDGGOBJReader,
-    ".off": vtkDGGOFFReader,
-    ".pcd": vtkPCDReader,
-    ".ply": vtkDGGPLYReader,
-    ".stl": vtkDGGSTLReader,
-    ".xyz": vtkDGGXYZReader,
-}
+OWN = (".obj", ".off", ".pcd", ".ply", ".stl", ".xyz")
 VTK = {".vtk": LegacyFile, ".vtp": XMLFile, ".vtu": XMLFile}
 EXTENSIONS = sorted([*OWN, *VTK, ".gii"])
 _LFS = b"version https://git-lfs.github.com/spec/"  # a file that stands for another one
@@ -48,7 +36,8 @@ def read(file: Any) -> Mesh:
     """Read a mesh, curves or a point cloud from a file.
 
     Coordinates keep all digits of the file, and points their order. Truncated and inconsistent
-    files are an error. The surface of a volume mesh is extracted, with a warning.
+    files are an error. The surface of a volume mesh is extracted, with a warning; this needs VTK, as
+    all grids in ``.vtk`` and ``.vtu`` files do.
 
     Parameters
     ----------
@@ -69,7 +58,7 @@ def read(file: Any) -> Mesh:
     OSError
         When there is no such file, or it cannot be opened.
     ImportError
-        When nibabel is needed and not installed.
+        When nibabel or VTK is needed and not installed.
 
     See Also
     --------
@@ -93,9 +82,7 @@ def read(file: Any) -> Mesh:
             raise ValueError(f"{path}: the file is a pointer of Git LFS; run git lfs pull")
     try:
         if extension in OWN:
-            reader = OWN[extension]()
-            reader.SetFileName(path)
-            mesh = mesh_of(check(reader))
+            mesh = _read_own(path, extension)
         elif extension in VTK:
             mesh = _read_vtk(path, extension)
         else:
@@ -114,6 +101,26 @@ def extension_of(path):
     return os.path.splitext(stem)[1] if extension == ".gz" else extension
 
 
+def _read_own(path, extension):
+    """Returns the Mesh of a file that the kernel's parsers read."""
+    try:
+        found = _kernel.read_mesh(path, extension[1:])
+    except (OSError, MemoryError) as error:
+        raise type(error)(f"{path}: {error}") from None
+    for text in found.warnings:
+        warnings.warn(f"{path}: {text}", RuntimeWarning, stacklevel=depth_of_package())
+    mesh = Mesh(
+        found.points,
+        **found.cells,
+        point_data=found.point_data,
+        cell_data=found.cell_data,
+        field_data=found.field_data,
+    )
+    mesh._is_single = found.points.dtype == np.float32
+    mesh._active = {ATTRIBUTES.index(kind): name for kind, name in found.active.items()}
+    return mesh
+
+
 def _read_vtk(path, extension):
     """Returns the Mesh of a VTK file."""
     with gzip.open(path) if path.lower().endswith(".gz") else open(path, "rb") as file:
@@ -129,7 +136,22 @@ def _read_vtk(path, extension):
         warnings.warn(f"{path}: {note}", RuntimeWarning, stacklevel=depth_of_package())
     if is_surface:
         return data.mesh()
+    with needing_vtk(f"{path}: reading grids"):
+        from .surface import grid_of, mesh_of, surface_of
     return mesh_of(surface_of(grid_of(data), path))
+
+
+@contextlib.contextmanager
+def needing_vtk(purpose):
+    """Names the extra to install if an import within fails because there is no VTK."""
+    try:
+        yield
+    except ModuleNotFoundError as error:
+        if (error.name or "").partition(".")[0] != "vtkmodules":
+            raise
+        raise ImportError(
+            f"{purpose} needs VTK, which is not installed (pip install vtkdgg[vtk])"
+        ) from None
 
 
 @contextlib.contextmanager

@@ -11,30 +11,16 @@ import warnings
 from typing import Any
 
 import numpy as np
-from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonMisc import vtkErrorCode
-from vtkmodules.vtkIOLegacy import vtkPolyDataWriter
-from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 
-from . import meshes
-from .data_set import LEAST_CORNERS
+from . import _kernel
+from .data_set import ATTRIBUTES, LEAST_CORNERS
 from .errors import VTKError, check, depth_of_package
-from .reading import reason_of
-from .surface import CELLS, named_arrays
-from .vtkDGGReaders import vtkDGGMeshWriter, vtkPCDWriter
+from .mesh import Mesh
+from .reading import OWN, needing_vtk, reason_of
 
 __all__ = ["write"]
 
-WRITERS = {
-    ".obj": vtkDGGMeshWriter,
-    ".off": vtkDGGMeshWriter,
-    ".pcd": vtkPCDWriter,
-    ".ply": vtkDGGMeshWriter,
-    ".stl": vtkDGGMeshWriter,
-    ".vtk": vtkPolyDataWriter,
-    ".vtp": vtkXMLPolyDataWriter,
-    ".xyz": vtkDGGMeshWriter,
-}
+VTK = (".vtk", ".vtp")
 TABLES = (".csv", ".npy")
 # Formats that can hold an answer, by its kind.
 FORMATS = {
@@ -52,7 +38,7 @@ def write(file: Any, mesh: Any) -> None:
     """Write a mesh, curves or a point cloud to a file.
 
     Coordinates keep their digits. Arrays and cells that the format does not hold are named in a
-    warning.
+    warning. Files of VTK (.vtp and .vtk) need VTK.
 
     Parameters
     ----------
@@ -69,6 +55,8 @@ def write(file: Any, mesh: Any) -> None:
         When the format is unknown or cannot hold the cells.
     OSError
         When the file cannot be written or is read-only. The messages of both name the file.
+    ImportError
+        When VTK is needed and not installed.
 
     See Also
     --------
@@ -79,12 +67,16 @@ def write(file: Any, mesh: Any) -> None:
     >>> vtkdgg.write("distance.ply", vtkdgg.distance(mesh, 0, as_polydata=True))  # doctest: +SKIP
     """
     path = os.fspath(file)
-    data, _ = meshes.take(mesh)
     extension = extension_of(path)
-    known = (*WRITERS, *TABLES)
+    known = (*OWN, *VTK, *TABLES)
     if extension not in known:
         names = " ".join(known)
         raise ValueError(f"{path}: unknown extension '{extension}'; expected one of {names}")
+    if extension in VTK:
+        with needing_vtk(f"{path}: writing this format"):
+            _write_by_vtk(path, extension, mesh)
+        return
+    data = mesh_from(mesh)
     lost = left_out(path, data)
     if lost:
         warnings.warn(
@@ -94,14 +86,79 @@ def write(file: Any, mesh: Any) -> None:
         )
     if extension in TABLES:
         write_numbers(path, table_of(data))
-        return
+    else:
+        _write_own(path, extension, data)
+
+
+def mesh_from(data):
+    """Returns a mesh of any kind as a Mesh. Meshes with other cells than those of a Mesh are an error.
+    """
+    if isinstance(data, Mesh):
+        return data
+    from . import meshes
+    from .surface import mesh_of
+
+    found, _ = meshes.take(data)
+    return found if isinstance(found, Mesh) else mesh_of(found)
+
+
+def _write_own(path, extension, mesh):
+    """Writes a Mesh to a file of a format of the kernel."""
+    with replacing(path) as part:
+        try:
+            texts = _kernel.write_mesh(
+                part,
+                extension[1:],
+                _points_of(mesh),
+                verts=mesh.verts,
+                lines=mesh.lines,
+                polygons=mesh.polygons,
+                point_data=mesh.point_data,
+                cell_data=mesh.cell_data,
+                field_data=mesh.field_data,
+                active=_active_of(mesh),
+            )
+        except (OSError, ValueError, MemoryError) as error:
+            raise type(error)(f"{path}: {error}") from None
+    for text in texts:
+        warnings.warn(f"{path}: {text}", RuntimeWarning, stacklevel=depth_of_package())
+
+
+def _points_of(mesh):
+    """Returns the coordinates, in single precision for unchanged ones of a file that stores it."""
+    values = mesh.points
+    if mesh._is_single and np.array_equal(values.astype(np.float32), values, equal_nan=True):
+        values = values.astype(np.float32)
+    return values
+
+
+def _active_of(mesh):
+    """Returns the names of the active point arrays by their kinds."""
+    active = {ATTRIBUTES.index("normals"): "Normals", **mesh._active}
+    return {ATTRIBUTES[kind]: name for kind, name in active.items()}
+
+
+def _write_by_vtk(path, extension, mesh):
+    """Writes a mesh of any kind to a file of VTK."""
+    from vtkmodules.vtkIOLegacy import vtkPolyDataWriter
+    from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
+
+    from . import meshes
+
+    data, _ = meshes.take(mesh)
+    if isinstance(data, Mesh):
+        data = data.as_polydata()
     if extension == ".vtp":
         _check_cells(path, data)
-    write_by(WRITERS[extension](), path, data)
+    write_by(vtkXMLPolyDataWriter() if extension == ".vtp" else vtkPolyDataWriter(), path, data)
 
 
 def _check_cells(path, data):
     """Raises an error for cells with too few corners."""
+    from vtkmodules.util.numpy_support import vtk_to_numpy
+
+    from .surface import CELLS
+
     for kind, (name, least) in zip(CELLS, LEAST_CORNERS.items()):
         sizes = np.diff(vtk_to_numpy(getattr(data, f"Get{kind}")().GetOffsetsArray()))
         for i in np.flatnonzero(sizes < least)[:1]:
@@ -113,6 +170,8 @@ def _check_cells(path, data):
 
 def write_by(writer, path, data):
     """Writes data to a file by a writer of VTK."""
+    from vtkmodules.vtkCommonMisc import vtkErrorCode
+
     if hasattr(writer, "SetFileTypeToBinary"):
         writer.SetFileTypeToBinary()  # exact, and VTK does not read every NaN in a text
     writer.SetInputData(data)
@@ -178,23 +237,23 @@ def write_numbers(path, values):
 
 
 def table_of(data):
-    """Returns coordinates and point arrays of a vtkPolyData as a structured array.
+    """Returns coordinates and point arrays of a mesh as a structured array.
 
     Curves have a row for each point of each line, with the index of the line and the cell arrays.
     """
-    points = vtk_to_numpy(data.GetPoints().GetData())
+    mesh = mesh_from(data)
     rows = slice(None)
     columns = {}
-    if data.GetNumberOfLines() > 0:
-        sizes = np.diff(vtk_to_numpy(data.GetLines().GetOffsetsArray()))
-        rows = vtk_to_numpy(data.GetLines().GetConnectivityArray())
+    sizes = np.diff(mesh.lines[0])
+    if len(sizes) > 0:
+        rows = mesh.lines[1]
         columns["line"] = np.repeat(np.arange(len(sizes)), sizes)
-    columns.update(zip("xyz", points[rows].T))
-    for name, values in named_arrays(data.GetPointData()).items():
+    columns.update(zip("xyz", _points_of(mesh)[rows].T))
+    for name, values in mesh.point_data.items():
         columns.update(_columns(name, values[rows]))
-    if data.GetNumberOfLines() > 0:
-        cells = data.GetNumberOfVerts() + columns["line"]
-        for name, values in named_arrays(data.GetCellData()).items():
+    if len(sizes) > 0:
+        cells = len(mesh.verts[0]) - 1 + columns["line"]
+        for name, values in mesh.cell_data.items():
             columns.update(_columns(name, values[cells]))
     table = np.empty(len(columns["x"]), dtype=[(key, v.dtype) for key, v in columns.items()])
     for key, values in columns.items():
@@ -216,22 +275,21 @@ def extension_of(path):
 def left_out(path, data):
     """Returns the names of arrays and cells of the data that the format does not hold."""
     extension = extension_of(path)
-    if extension in (".vtk", ".vtp"):
+    if extension in VTK:
         return []
-    points, cells = data.GetPointData(), named_arrays(data.GetCellData())
-    in_points = list(named_arrays(points))
-    in_cells = list(cells)
-    has_polygons = data.GetNumberOfPolys() + data.GetNumberOfStrips() > 0
+    mesh = mesh_from(data)
+    in_points, in_cells = list(mesh.point_data), list(mesh.cell_data)
+    has_polygons = len(mesh.polygons[0]) > 1
     if extension in (".pcd", *TABLES):
         in_points = []
         in_cells = in_cells if has_polygons or extension == ".pcd" else []
     elif extension == ".ply":
-        is_plain = data.GetNumberOfPolys() == data.GetNumberOfCells()
+        is_plain = len(mesh.lines[0]) + len(mesh.verts[0]) == 2
         in_points = []
-        in_cells = [n for n, values in cells.items() if not is_plain or values.ndim > 1]
+        in_cells = [n for n, v in mesh.cell_data.items() if not is_plain or v.ndim > 1]
     elif extension in (".obj", ".off"):
-        active = filter(None, (points.GetNormals(), points.GetTCoords()))
-        kept = [array.GetName() for array in active] + ["RGB", "RGBA"]
+        active = _active_of(mesh)
+        kept = (active.get("normals"), active.get("tcoords"), "RGB", "RGBA")
         in_points = [name for name in in_points if name not in kept]
     lost = ["polygons"] if has_polygons and extension in (".pcd", ".xyz") else []
     return [*lost, *in_cells, *in_points]

@@ -5,7 +5,8 @@
 #ifndef dggPolygonTriangulator_h
 #define dggPolygonTriangulator_h
 
-#include "dggTypes.h" // for Id
+#include "dggCoreExport.h" // for DGG_CORE_EXPORT
+#include "dggTypes.h"      // for Id
 
 #include <array>  // for points
 #include <vector> // for std::vector
@@ -16,7 +17,7 @@ namespace dgg
 /// shorter of the diagonals that lie inside it. A larger polygon loses its ears one by one, best
 /// shape first. A polygon without a triangulation, because it crosses itself, becomes a fan around
 /// its first point.
-class PolygonTriangulator
+class DGG_CORE_EXPORT PolygonTriangulator
 {
 public:
   /// `points` are x y z per point, and must outlive this object.

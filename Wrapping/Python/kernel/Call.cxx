@@ -40,9 +40,15 @@ Call::Call(Arguments& arguments)
 }
 
 //------------------------------------------------------------------------------
+dgg::ProgressCallback Call::GetProgress()
+{
+  return [this](double done) { return this->Advance(done); };
+}
+
+//------------------------------------------------------------------------------
 dgg::TaskContext Call::MakeContext(const Surface& surface)
 {
-  const dgg::ProgressCallback progress = [this](double done) { return this->Advance(done); };
+  const dgg::ProgressCallback progress = this->GetProgress();
   return { surface.Get(), dgg::MakeBudget(this->MemoryLimit), this->NumberOfThreads, progress,
     MakeParallelFor(this->NumberOfThreads, progress),
     [&surface]() -> const dgg::SurfaceArrays& { return surface.GetCells(); } };

@@ -7,6 +7,7 @@
 
 #include "dggStatus.h"      // for Status
 #include "dggTaskContext.h" // for TaskContext
+#include "dggTypes.h"       // for ProgressCallback
 
 #include <pybind11/pybind11.h>
 
@@ -32,6 +33,9 @@ public:
   explicit Call(Arguments& arguments);
   Call(const Call&) = delete;
   Call& operator=(const Call&) = delete;
+
+  /// Returns the callback that reports progress and stops the work. This object must outlive it.
+  dgg::ProgressCallback GetProgress();
 
   /// Returns the context of a task. The surface must outlive it, as this object must.
   dgg::TaskContext MakeContext(const Surface& surface);

@@ -66,6 +66,7 @@ PYBIND11_MODULE(_kernel, module)
   dggPython::AddEarthMovers(module);
   dggPython::AddVectorGraphics(module);
   dggPython::AddPatchLayout(module);
+  dggPython::AddFormats(module);
 #ifdef DGG_HAS_CLOUDS
   dggPython::AddCloudGraph(module);
 #endif

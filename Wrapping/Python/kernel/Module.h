@@ -19,6 +19,7 @@ void AddSpectral(pybind11::module_& module);
 void AddEarthMovers(pybind11::module_& module);
 void AddVectorGraphics(pybind11::module_& module);
 void AddPatchLayout(pybind11::module_& module);
+void AddFormats(pybind11::module_& module);
 void AddCloudGraph(pybind11::module_& module);
 }
 
