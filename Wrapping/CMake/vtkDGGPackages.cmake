@@ -44,41 +44,20 @@ set(dgg_version "${PROJECT_VERSION}-${CPACK_DEBIAN_PACKAGE_RELEASE}")
 set(dgg_folder "${CMAKE_BINARY_DIR}/packaging")
 
 # Files that Debian requires in every package.
-set(dgg_others)
+file(READ "${PROJECT_SOURCE_DIR}/LICENSE" dgg_license)
+file(READ "${CMAKE_CURRENT_LIST_DIR}/BundledLicenses.txt" dgg_others)
+set(dgg_pcl)
 if (DGG_WITH_PCL)
-  set(dgg_others "  FLANN (libflann-dev): Copyright 2008-2012 Marius Muja and David G. Lowe\n\
+  set(dgg_pcl "\nThe same conditions and disclaimer apply to code of headers of\n\n\
+  FLANN (libflann-dev): Copyright 2008-2012 Marius Muja and David G. Lowe\n\
   PCL (libpcl-dev): Copyright 2009-2012 Willow Garage, Inc., and 2012- Open Perception, Inc.;\n\
     neither their names nor those of contributors may be used to endorse or promote products\n\
     derived from PCL without specific prior written permission\n")
 endif ()
-if (DGG_WITH_PYTHON_KERNEL)
-  string(APPEND dgg_others "  pybind11 (pybind11-dev): Copyright 2016 Wenzel Jakob <wenzel.jakob@epfl.ch>, and others;\n\
-    neither their names nor those of contributors may be used to endorse or promote products\n\
-    derived from pybind11 without specific prior written permission\n")
-endif ()
-file(READ "${PROJECT_SOURCE_DIR}/LICENSE" dgg_license)
 file(WRITE "${dgg_folder}/copyright" "vtkDGG, made into packages by CPack.\n\n${dgg_license}\n\
-The libraries hold compiled code of headers of Eigen and Spectra, which are under the MPL-2.0\n\
-(/usr/share/common-licenses/MPL-2.0) and in Debian's packages libeigen3-dev and libspectra-dev.\n\
-They also hold compiled code of headers of\n\n\
-  nanoflann (libnanoflann-dev): Copyright 2008-2009 Marius Muja and David G. Lowe,\n\
-    2011- Jose Luis Blanco\n\
-${dgg_others}\n\
-Redistribution and use of these in source and binary forms, with or without modification, are\n\
-permitted provided that the following conditions are met:\n\n\
-1. Redistributions of source code must retain the above copyright notice, this list of\n\
-   conditions and the following disclaimer.\n\
-2. Redistributions in binary form must reproduce the above copyright notice, this list of\n\
-   conditions and the following disclaimer in the documentation and/or other materials provided\n\
-   with the distribution.\n\n\
-THIS SOFTWARE IS PROVIDED BY THE COPYRIGHT HOLDERS AND CONTRIBUTORS \"AS IS\" AND ANY EXPRESS OR\n\
-IMPLIED WARRANTIES, INCLUDING, BUT NOT LIMITED TO, THE IMPLIED WARRANTIES OF MERCHANTABILITY AND\n\
-FITNESS FOR A PARTICULAR PURPOSE ARE DISCLAIMED. IN NO EVENT SHALL THE COPYRIGHT OWNER OR\n\
-CONTRIBUTORS BE LIABLE FOR ANY DIRECT, INDIRECT, INCIDENTAL, SPECIAL, EXEMPLARY, OR CONSEQUENTIAL\n\
-DAMAGES (INCLUDING, BUT NOT LIMITED TO, PROCUREMENT OF SUBSTITUTE GOODS OR SERVICES; LOSS OF USE,\n\
-DATA, OR PROFITS; OR BUSINESS INTERRUPTION) HOWEVER CAUSED AND ON ANY THEORY OF LIABILITY,\n\
-WHETHER IN CONTRACT, STRICT LIABILITY, OR TORT (INCLUDING NEGLIGENCE OR OTHERWISE) ARISING IN ANY\n\
-WAY OUT OF THE USE OF THIS SOFTWARE, EVEN IF ADVISED OF THE POSSIBILITY OF SUCH DAMAGE.\n")
+${dgg_others}${dgg_pcl}\n\
+The MPL-2.0 is in /usr/share/common-licenses/MPL-2.0, and the headers are in Debian's packages\n\
+libeigen3-dev, libspectra-dev, libnanoflann-dev and pybind11-dev.\n")
 string(TIMESTAMP dgg_date "%a, %d %b %Y %H:%M:%S +0000" UTC)
 file(WRITE "${dgg_folder}/changelog.Debian" "vtkdgg (${dgg_version}) unstable; urgency=medium\n\n\
   * Made by CPack. What has changed is in changelog.gz.\n\n\

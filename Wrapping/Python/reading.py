@@ -36,8 +36,8 @@ def read(file: Any) -> Mesh:
     """Read a mesh, curves or a point cloud from a file.
 
     Coordinates keep all digits of the file, and points their order. Truncated and inconsistent
-    files are an error. The surface of a volume mesh is extracted, with a warning; this needs VTK, as
-    all grids in ``.vtk`` and ``.vtu`` files do.
+    files are an error. The surface of a volume mesh is extracted, with a warning. Grids (``.vtu``
+    and some ``.vtk`` files) need VTK.
 
     Parameters
     ----------

@@ -91,8 +91,7 @@ def write(file: Any, mesh: Any) -> None:
 
 
 def mesh_from(data):
-    """Returns a mesh of any kind as a Mesh. Meshes with other cells than those of a Mesh are an error.
-    """
+    """Returns a mesh of any kind as a Mesh."""
     if isinstance(data, Mesh):
         return data
     from . import meshes
