@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
 
-# The project without PCL, and without VTK: each in a build tree of its own, where CMake does not
-# find the package.
+# The project without PCL, without VTK and as a wheel: each in a build tree of its own, where CMake
+# does not find the package.
 
 # dgg_add_partial_build(<package> <options>...): tests that clean and configure the build tree, for
 # tests that require the fixture dgg_without_<package>.
@@ -88,3 +88,15 @@ set_tests_properties(WithoutVTK.Install PROPERTIES
   FIXTURES_SETUP dgg_installed_kernel)
 set_tests_properties(WithoutVTK.Program PROPERTIES
   FIXTURES_REQUIRED dgg_installed_kernel)
+
+# The wheel of the Python package, which contains the kernel.
+if (DGG_WITH_PYTHON)
+  add_test(NAME Wheel
+    COMMAND "${CMAKE_CURRENT_SOURCE_DIR}/wheel.sh" "${CMAKE_BINARY_DIR}/Testing/Wheel" numpy)
+  set_tests_properties(Wheel PROPERTIES
+    ENVIRONMENT "PYTHON=${Python3_EXECUTABLE};CMAKE_BUILD_PARALLEL_LEVEL=2;CMAKE_CXX_COMPILER_LAUNCHER=${CMAKE_CXX_COMPILER_LAUNCHER}"
+    LABELS Install
+    PROCESSORS 2
+    SKIP_RETURN_CODE 77
+    TIMEOUT 1800)
+endif ()

@@ -27,7 +27,8 @@ if [ "${1:-}" = --all ]; then
   extra_data="${DGG_EXTRA_DATA:-}"
   # CGAL and CHOLMOD are independent implementations to check against; Doxygen checks comments; CPack
   # asks file.
-  packages+=(libbenchmark-dev libcgal-dev libsuitesparse-dev doxygen file glmark2-data)
+  packages+=(libbenchmark-dev libcgal-dev libsuitesparse-dev doxygen file glmark2-data
+    python3-venv)
 fi
 dgg_install "${packages[@]}"
 if [ -n "$extra_data" ]; then

@@ -90,7 +90,11 @@ private:
     std::unique_lock<std::mutex> lock(this->Mutex);
     for (;;)
     {
-      this->Requested.wait(lock, [this] { return !this->Requests.empty(); });
+      while (this->Requests.empty())
+      {
+        // Waiting without a limit would need the libstdc++ of GCC 12.
+        this->Requested.wait_for(lock, std::chrono::hours(1));
+      }
       Loop& loop = *this->Requests.front();
       this->Requests.pop_front();
       ++loop.NumberOfHelpers;
