@@ -213,7 +213,7 @@ inline bool FromPolyData(vtkPolyData* data, pcl::PCLPointCloud2& cloud)
   {
     step += source.GetField().GetBytes();
   }
-  constexpr std::size_t most = std::numeric_limits<pcl::uindex_t>::max();
+  constexpr std::size_t most = (std::numeric_limits<pcl::uindex_t>::max)();
   const auto width = static_cast<std::size_t>(layout.Width);
   const auto height = static_cast<std::size_t>(layout.Height);
   if (step > most || height > most || (step > 0 && width > most / step))
@@ -263,7 +263,7 @@ bool FromPolyData(
   }
   if (!data ||
     static_cast<std::size_t>(data->GetNumberOfPoints()) >
-      static_cast<std::size_t>(std::numeric_limits<pcl::index_t>::max()))
+      static_cast<std::size_t>((std::numeric_limits<pcl::index_t>::max)()))
   {
     return false;
   }

@@ -3,10 +3,16 @@
 #include "dggFileText.h"
 
 #include <zlib.h>
+#if defined(__APPLE__)
+#include <xlocale.h>
+#endif
 
 #include <algorithm>
+#include <cctype>
+#include <cerrno>
 #include <cmath>
 #include <cstdint>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <locale>
@@ -94,6 +100,43 @@ std::string dgg::Quote(std::string_view text)
     shown.begin(), shown.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
   return "'" + shown + (text.size() > longest ? "...'" : "'");
 }
+
+#if !defined(__cpp_lib_to_chars)
+namespace
+{
+/// Converts the text with strtof_l() or strtod_l().
+template <typename Number>
+std::from_chars_result Convert(const char* first, const char* last, Number& number,
+  Number (*convert)(const char*, char**, locale_t))
+{
+  static const locale_t locale = newlocale(LC_ALL_MASK, "C", nullptr);
+  const std::string text(first, last);
+  const bool isNumber = !text.empty() && std::isspace(static_cast<unsigned char>(text[0])) == 0 &&
+    text[0] != '+' && text.find_first_of("xX") == std::string::npos;
+  char* end = nullptr;
+  errno = 0;
+  const Number found = convert(text.c_str(), &end, locale);
+  if (!isNumber || end == text.c_str())
+  {
+    return { first, std::errc::invalid_argument };
+  }
+  const bool isOutOfRange = errno == ERANGE && (std::isinf(found) || found == 0);
+  number = isOutOfRange ? number : found;
+  return { first + (end - text.c_str()),
+    isOutOfRange ? std::errc::result_out_of_range : std::errc() };
+}
+}
+
+std::from_chars_result dgg::FromChars(const char* first, const char* last, float& number)
+{
+  return Convert(first, last, number, strtof_l);
+}
+
+std::from_chars_result dgg::FromChars(const char* first, const char* last, double& number)
+{
+  return Convert(first, last, number, strtod_l);
+}
+#endif
 
 bool dgg::IsTooSmall(std::string_view text)
 {

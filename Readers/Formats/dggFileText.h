@@ -210,6 +210,19 @@ private:
 /// Returns true if a number outside the range of double underflows; false if it overflows.
 bool IsTooSmall(std::string_view text);
 
+#if !defined(__cpp_lib_to_chars)
+///@{
+/// Replace std::from_chars, which libc++ lacks for floating-point numbers before version 20.
+std::from_chars_result FromChars(const char* first, const char* last, float& number);
+std::from_chars_result FromChars(const char* first, const char* last, double& number);
+///@}
+#endif
+template <typename Number>
+std::from_chars_result FromChars(const char* first, const char* last, Number& number)
+{
+  return std::from_chars(first, last, number);
+}
+
 /// Converts a word to a number, in any locale; a floating-point number that is too small becomes
 /// zero. Returns null, or the defect, such as "is not a number".
 template <typename Number>
@@ -219,9 +232,9 @@ const char* ParseNumber(std::string_view text, Number& number)
   const char* const last = first + text.size();
   if (text.size() > 1 && first[0] == '+' && first[1] != '-')
   {
-    ++first; // std::from_chars refuses a leading plus
+    ++first; // FromChars() refuses a leading plus
   }
-  const auto parsed = std::from_chars(first, last, number);
+  const auto parsed = FromChars(first, last, number);
   if (parsed.ptr != last || parsed.ec == std::errc::invalid_argument)
   {
     return std::is_integral<Number>::value ? "is not an integer" : "is not a number";

@@ -42,7 +42,7 @@ inline double ArcFactor(const ChordAngles& angles)
 {
   const double a = angles.First;
   const double b = angles.Second;
-  const double square = std::min(1.0, (2.0 * a * a + a * b + 2.0 * b * b) / 5.0);
+  const double square = (std::min)(1.0, (2.0 * a * a + a * b + 2.0 * b * b) / 5.0);
   const double half = std::sqrt(square);
   // For small angles the quotient would lose digits, and the series is exact up to rounding.
   return half < 1e-3 ? 1.0 + square / 6.0 : half / std::sin(half);

@@ -68,7 +68,7 @@ struct CornerModel : VirtualSource
   };
   Ray Along(double phi) const
   {
-    const double angle = std::min(Pi, std::abs(this->AngleFrom(phi))); // pi: through the vertex
+    const double angle = (std::min)(Pi, std::abs(this->AngleFrom(phi))); // pi: through the vertex
     const double sine = std::sin(0.5 * angle);
     return { this->Offset, this->Length, 4.0 * sine * sine };
   }

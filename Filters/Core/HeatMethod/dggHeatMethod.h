@@ -73,7 +73,7 @@ struct HeatResult
   /// distances. Empty unless requested.
   VirtualSources Virtual;
   /// Smallest number of triangles of a component with a source; isolated vertices are not counted.
-  Id FewestTriangles = std::numeric_limits<Id>::max();
+  Id FewestTriangles = (std::numeric_limits<Id>::max)();
 };
 
 /// The heat method (Crane, Weischedel and Wardetzky, "Geodesics in heat", 2013) on one mesh, which

@@ -39,7 +39,7 @@ template <typename Surface>
 Id FindEdge(const Surface& surface, Id h)
 {
   Id smallest = h;
-  ForEachTwin(surface, h, [&](Id e) { smallest = std::min(smallest, e); });
+  ForEachTwin(surface, h, [&](Id e) { smallest = (std::min)(smallest, e); });
   return smallest;
 }
 

@@ -188,7 +188,7 @@ private:
   {
     const double denominator = depth - sine * x;
     const double numerator = x * height;
-    return numerator < length * denominator ? std::max(0.0, numerator / denominator) : length;
+    return numerator < length * denominator ? (std::max)(0.0, numerator / denominator) : length;
   }
 
   double Base;

@@ -30,7 +30,7 @@ namespace dgg
 /// would be more than `mostFaces` faces or 2^31 - 1 half-edges, or when stopped.
 DGG_CORE_EXPORT Status RefineFaces(const SurfaceMesh& mesh, const std::vector<Id>& faces,
   int levels, const ProgressCallback& progress, SubMesh& surface, std::vector<Id>& parents,
-  Offset mostFaces = std::numeric_limits<Id>::max() / 3);
+  Offset mostFaces = (std::numeric_limits<Id>::max)() / 3);
 }
 
 #endif

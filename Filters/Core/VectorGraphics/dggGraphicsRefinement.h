@@ -35,7 +35,7 @@ struct GraphicsRefinement
   /// For RefinedPart::Faces: faces of the mesh on which curves were drawn. They must exist.
   std::vector<Id> Faces;
   /// Maximum number of faces, checked before refinement; exceeding it is an error.
-  Offset MostFaces = std::numeric_limits<Id>::max() / 3;
+  Offset MostFaces = (std::numeric_limits<Id>::max)() / 3;
   ProgressCallback Progress; ///< may be empty
 };
 
