@@ -75,8 +75,9 @@ Status FindExactDistances(
   options.Progress = context.Progress;
   if (keepWindows)
   {
-    // At least 1, because 0 would mean no limit.
-    options.MemoryLimit = static_cast<std::size_t>(std::max(1.0, context.Memory.GetBytes()));
+    // At least 1, because 0 would mean no limit; 2^63 is one.
+    options.MemoryLimit =
+      static_cast<std::size_t>(std::clamp(context.Memory.GetBytes(), 1.0, 0x1p63));
   }
   ExactResult result;
   DGG_RETURN_IF_ERROR(ExactGeodesics(mesh).Run(task.Sources, options, result));

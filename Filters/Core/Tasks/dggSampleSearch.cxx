@@ -73,11 +73,13 @@ void WriteSamples(const TaskContext& context, const SamplerOptions& options,
   const double radius = samples.empty() ? 0.0 : samples.back().CoveringRadius;
   if (static_cast<Offset>(samples.size()) < options.NumberOfSamples && !(radius > 0.0))
   {
+    const char* const others = context.Surface.IsCloud() ? ""
+      : options.InFaces                                  ? ", or subdivide the surface"
+                        : ", turn on {InFaces}, or subdivide the surface";
     output.Warnings.push_back(
-      JoinText("No point of the surface is left after ", Counted(samples.size(), "sample"),
-        ", but {NumberOfSamples} is ", options.NumberOfSamples, ". Reduce {NumberOfSamples}, ",
-        options.InFaces && !context.Surface.IsCloud() ? "" : "turn on {InFaces}, ",
-        "or subdivide the surface"));
+      JoinText("No point of the ", context.Surface.IsCloud() ? "cloud" : "surface",
+        " is left after ", Counted(samples.size(), "sample"), ", but {NumberOfSamples} is ",
+        options.NumberOfSamples, ". Reduce {NumberOfSamples}", others));
   }
   if (!(radius < Infinity))
   {

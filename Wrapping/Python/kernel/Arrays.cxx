@@ -101,14 +101,20 @@ dgg::InputArray ToInputArray(const py::handle& object, const std::string& name)
   result.NumberOfTuples = array.shape(0);
   result.NumberOfComponents = array.ndim() == 1 ? 1 : static_cast<int>(array.shape(1));
   result.AreNumbers = std::string("biuf").find(kind) != std::string::npos;
-  result.AreFloats = kind == 'f' && array.itemsize() == sizeof(float);
-  result.AreBytes = kind == 'u' && array.itemsize() == 1;
+  result.AreFloats = kind == 'f' && GetItemSize(array) == sizeof(float);
+  result.AreBytes = kind == 'u' && GetItemSize(array) == 1;
   if (result.AreNumbers)
   {
     const Array<double> numbers = ToNumbers(array, name.c_str());
     result.Values.assign(numbers.data(), numbers.data() + numbers.size());
   }
   return result;
+}
+
+//------------------------------------------------------------------------------
+py::ssize_t GetItemSize(const py::array& array)
+{
+  return py::cast<py::ssize_t>(array.attr("itemsize"));
 }
 
 //------------------------------------------------------------------------------
@@ -122,10 +128,10 @@ dgg::StoredArray ToStoredArray(const py::handle& object, py::ssize_t components)
   }
   const auto array = py::cast<py::array>(object);
   const char kind = array.dtype().kind();
-  const bool isWide = array.itemsize() == 8;
+  const bool isWide = GetItemSize(array) == 8;
   const bool isFlat = (array.flags() & py::array::c_style) != 0 &&
     (components == 1 ? array.ndim() == 1 : array.ndim() == 2 && array.shape(1) == components);
-  const bool isKnown = isFlat && (isWide || array.itemsize() == 4);
+  const bool isKnown = isFlat && (isWide || GetItemSize(array) == 4);
   stored.Data = array.data();
   stored.Size = array.size();
   stored.Description = py::cast<std::string>(py::str(array.dtype())) + " with " + Describe(array);

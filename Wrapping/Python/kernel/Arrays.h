@@ -41,6 +41,10 @@ Array<double> ToTable(const py::handle& object, py::ssize_t columns, const char*
 /// the object is None.
 dgg::InputArray ToInputArray(const py::handle& object, const std::string& name);
 
+/// Returns the number of bytes of a value. array::itemsize() of pybind11 before 2.12 reads a wrong
+/// field with NumPy 2.
+py::ssize_t GetItemSize(const py::array& array);
+
 /// Returns the array of a stored graph or of stored windows, whose rows have `components` values.
 dgg::StoredArray ToStoredArray(const py::handle& object, py::ssize_t components = 1);
 

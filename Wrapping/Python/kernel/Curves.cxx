@@ -1,8 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Arguments.h"
+#include "Arrays.h"
 #include "Call.h"
 #include "Distances.h"
+#include "Errors.h"
 #include "Errors.h"
 #include "Graph.h"
 #include "Module.h"
@@ -145,6 +147,14 @@ py::object FindPaths(const py::object& target, const py::object& pairs, const py
 }
 
 //------------------------------------------------------------------------------
+py::array ReadPathEnds(const py::object& lines, dgg::Offset numberOfPoints)
+{
+  std::vector<dgg::Offset> ends;
+  ThrowUnlessOk(dgg::ReadPathEnds(Cells(lines, "lines").Get(), numberOfPoints, ends));
+  return ToArray(std::move(ends));
+}
+
+//------------------------------------------------------------------------------
 py::object FindLoops(const py::object& target, const py::object& points, const py::kwargs& keywords)
 {
   Arguments arguments(keywords);
@@ -188,6 +198,9 @@ py::object FindLoops(const py::object& target, const py::object& points, const p
 void AddCurves(py::module_& module)
 {
   module.def("paths", &FindPaths, py::arg("target"), py::arg("pairs"), PathsDocumentation);
+  module.def("path_ends", &ReadPathEnds, py::arg("lines"), py::arg("number_of_points"),
+    "Returns the first and the last point id of each line, in turn. `lines` is a tuple (offsets, "
+    "ids). Raises an Error for a line without points and for an id that does not exist.");
   module.def(
     "loops", &FindLoops, py::arg("target"), py::arg("points") = py::none(), LoopsDocumentation);
 }

@@ -58,6 +58,9 @@ py::object Distances::Run(Call& call, const Surface& surface, const char* what, 
         : context.Surface.DescribeGaps(output.IsReached));
     return dgg::Status::Success();
   });
-  return ToPython(output);
+  const bool isDoubtful = !output.QualityWarning.empty();
+  py::object result = ToPython(output);
+  result.attr("quality_warning") = isDoubtful;
+  return result;
 }
 }

@@ -45,7 +45,8 @@ constexpr const char* VirtualSourceName = "GeodesicVirtualSource";
   "    See the module.\n\n"                                                                      \
   "Returns\n-------\n"                                                                           \
   "SimpleNamespace\n"                                                                            \
-  "    Point data: \"GeodesicDistance\" (float64) and the arrays above.\n\n"                     \
+  "    Point data: \"GeodesicDistance\" (float64) and the arrays above.\n"                       \
+  "    quality_warning is true if a warning is about the accuracy.\n\n"                          \
   "Raises\n------\n"                                                                             \
   "Error\n"                                                                                      \
   "    For an invalid source or option, and if memory is insufficient.\n"

@@ -58,7 +58,8 @@ constexpr const char* IsolinesDocumentation =
   "    Lines with the cell data \"IsoValue\"; ridges with \"RidgeAngle\" (degrees); bands, "
   "polygons "
   "with\n"
-  "    \"Band\", \"BandMinimum\", \"BandMaximum\" and \"FaceId\".\n\n"
+  "    \"Band\", \"BandMinimum\", \"BandMaximum\" and \"FaceId\". The lines have used_windows,\n"
+  "    used_virtual_sources and number_of_fallbacks, segments that may miss the tolerance.\n\n"
   "Raises\n------\n"
   "Error\n"
   "    For an invalid distance or option.\n";
@@ -193,6 +194,9 @@ py::object FindIsolines(
   bool isLinear = false;
   const dgg::IsolineTaskOptions options = ReadIsolineOptions(arguments, isLinear);
   dgg::Output outputs[3];
+  bool usedWindows = false;
+  bool usedVirtualSources = false;
+  dgg::Offset fallbacks = 0;
   call.Run([&] {
     const dgg::TaskContext context = call.MakeContext(surface);
     DGG_RETURN_IF_ERROR(RequireSurface(context.Surface, "Isolines"));
@@ -207,9 +211,16 @@ py::object FindIsolines(
     AddWarnings(reader, outputs[0]);
     outputs[0].Warn(dgg::DescribeRidges(options, reader));
     outputs[0].Warn(dgg::DescribeMissingLines(options, reader, result));
+    usedWindows = reader.GetField().HasWindows();
+    usedVirtualSources = reader.GetField().HasSources();
+    fallbacks = result.Lines.Fallbacks + result.Ridges.Fallbacks;
     return dgg::Status::Success();
   });
-  return py::make_tuple(ToPython(outputs[0]), ToPython(outputs[1]), ToPython(outputs[2]));
+  py::object lines = ToPython(outputs[0]);
+  lines.attr("used_windows") = usedWindows;
+  lines.attr("used_virtual_sources") = usedVirtualSources;
+  lines.attr("number_of_fallbacks") = fallbacks;
+  return py::make_tuple(lines, ToPython(outputs[1]), ToPython(outputs[2]));
 }
 
 //------------------------------------------------------------------------------

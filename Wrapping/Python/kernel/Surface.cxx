@@ -25,7 +25,8 @@ constexpr const char* ClassDocumentation =
 Parameters
 ----------
 points : array_like, shape (n, 3)
-    Coordinates. Read-only and strided arrays are accepted. The array is copied.
+    Coordinates. Read-only and strided arrays are accepted. The array is copied. A warning states if
+    single precision is too coarse for the edges.
 cells : array_like of int, shape (m, k), or tuple (offsets, ids), optional
     Point ids of polygons with k corners, or of polygons of different sizes: the ids of polygon i
     are ids[offsets[i]:offsets[i + 1]].
@@ -140,6 +141,7 @@ Surface::Surface(const py::handle& points, const py::handle& cells, const py::kw
   this->Input.Polygons = this->Polygons.Get();
   this->Input.Strips = this->Strips.Get();
   this->Input.NumberOfPoints = positions.size() / 3;
+  this->Input.AreFromFloats = py::isinstance<py::array_t<float>>(points);
   dgg::SurfaceArrays input = this->Input;
   input.Points = positions.data();
   call.Run([&] {

@@ -35,7 +35,7 @@ void ReadPositions(const py::array& array, const std::string& name, dgg::SourceC
     throw py::value_error(name + ": expected integers or coordinates of shape (n, 3)");
   }
   points.Positions = ToVector(positions);
-  points.AreRounded = array.dtype().kind() == 'f' && array.itemsize() < 8;
+  points.AreRounded = array.dtype().kind() == 'f' && GetItemSize(array) < 8;
 }
 
 /// Reads points whose parts are items of a dict.
@@ -56,7 +56,12 @@ void ReadParts(const py::dict& parts, const std::string& name, dgg::SourceCollec
   }
   if (const py::object positions = get("points"); positions && !positions.is_none())
   {
-    ReadPositions(py::array::ensure(positions), name + "[\"points\"]", points);
+    const py::array array = py::array::ensure(positions);
+    if (!array)
+    {
+      throw py::error_already_set();
+    }
+    ReadPositions(array, name + "[\"points\"]", points);
   }
   read("original_ids", 1, points.OriginalIds);
   read("cells", 1, points.Cells);
