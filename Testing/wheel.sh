@@ -7,7 +7,7 @@
 # if it cannot be reached.
 #
 # Usage: Testing/wheel.sh FOLDER [ENVIRONMENT...]
-#   FOLDER        what is made; the wheel and the source distribution are in FOLDER/dist
+#   FOLDER        output folder; the wheel and the source distribution are in FOLDER/dist
 #   ENVIRONMENT   numpy   NumPy alone
 #                 newest  the newest VTK and PyVista, and packages with meshes
 #                 oldest  the oldest VTK that is supported
@@ -25,14 +25,15 @@ source "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
 newest_tag=34 # glibc of the oldest systems that are supported
 declare -A packages=(
   [numpy]="numpy"
-  [newest]="vtk pyvista trimesh meshio"
-  [oldest]="vtk==9.3.1"
+  [newest]="vtk pyvista scipy trimesh meshio"
+  [oldest]="vtk==9.3.1 scipy"
 )
-without_vtk="test_kernel"
+without_vtk="test_kernel test_without_vtk"
+functions="test_compat test_distance test_graph test_graph_copies test_meshes test_queries test_reading"
 declare -A tests=(
   [numpy]="$without_vtk"
-  [newest]="$without_vtk"
-  [oldest]="$without_vtk"
+  [newest]="$without_vtk $functions test_real_pyvista"
+  [oldest]="$without_vtk $functions"
 )
 
 mkdir -p "$1"
@@ -94,7 +95,7 @@ with zipfile.ZipFile(wheel) as archive:
 wrong = [
     file.filename
     for file in files
-    if not re.match(r"vtkdgg/.*(\.pyi?|py\.typed|\.so)$|vtkdgg-[^/]*\.dist-info/", file.filename)
+    if not re.match(r"vtkdgg/.*(\.pyi?|\.json|\.xml|py\.typed|\.so)$|vtkdgg-[^/]*\.dist-info/", file.filename)
 ]
 assert not wrong, f"the wheel has files that do not belong to the package: {wrong}"
 size = sum(file.file_size for file in files)
@@ -110,7 +111,7 @@ for name in "$@"; do
   fi
   mkdir -p "$folder/output"
   for test in ${tests[$name]}; do
-    timed "$name: $test" env -C "$folder/output" DGG_TEST_OUTPUT="$folder/output" \
+    timed "$name: $test" dgg_with_display env -C "$folder/output" DGG_TEST_OUTPUT="$folder/output" \
       "$folder/$name/bin/python" "$DGG_ROOT/Testing/Python/$test.py"
   done
 done

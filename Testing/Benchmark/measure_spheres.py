@@ -31,7 +31,7 @@ from tables import (
     time_text,
     titled,
 )
-from vtkdgg.surface import add_array
+from vtkdgg.vtk_data import add_array
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 SPLINE_LEVEL = 5

@@ -1,6 +1,8 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Library of the modes that measure the Python module: command line, meshes, clocks."""
+"""Library of the modes that measure the Python module: command line, meshes, clocks.
+
+VTK is imported by the functions that use it, since the mode peers runs without VTK."""
 
 import argparse
 import ctypes
@@ -10,10 +12,6 @@ import time
 
 import vtkdgg
 from exhibits import surfaces
-from vtkdgg.commands import files
-from vtkmodules.vtkCommonCore import vtkSMPTools
-from vtkmodules.vtkFiltersCore import vtkCleanPolyData, vtkQuadricDecimation
-from vtkmodules.vtkFiltersModeling import vtkLoopSubdivisionFilter
 
 BUNNY = "/usr/share/glmark2/models/bunny.obj"
 ROUNDS = 5
@@ -52,7 +50,10 @@ def write(options, results, text):
 
 def run(measure, tables, options):
     """Measures on one thread, and writes what was measured."""
+    from vtkmodules.vtkCommonCore import vtkSMPTools
+
     vtkSMPTools.Initialize(1)
+    vtkdgg._kernel.set_number_of_threads(1)
     results = measure(options)
     write(options, results, tables(results))
 
@@ -63,7 +64,9 @@ def open_mesh(name):
     mesh = surfaces.make(name)
     if mesh is not None:
         return name, mesh
-    mesh = files.triangles_of(vtkdgg.read(name).as_polydata(), name)
+    from vtkdgg.vtk_data import triangulated
+
+    mesh = triangulated(vtkdgg.read(name).as_polydata(), name)
     title = os.path.splitext(os.path.basename(name))[0]
     return title, surfaces.from_arrays(*surfaces.arrays_of(mesh))
 
@@ -80,6 +83,8 @@ def _updated(algorithm, mesh):
 
 def _used_points(mesh):
     """Returns the surface without points that belong to no face."""
+    from vtkmodules.vtkFiltersCore import vtkCleanPolyData
+
     clean = vtkCleanPolyData()
     clean.PointMergingOff()
     return _updated(clean, mesh)
@@ -87,6 +92,8 @@ def _used_points(mesh):
 
 def decimated(mesh, vertices):
     """Returns a surface with about this number of vertices."""
+    from vtkmodules.vtkFiltersCore import vtkQuadricDecimation
+
     decimation = vtkQuadricDecimation()
     decimation.SetTargetReduction(1.0 - vertices / mesh.GetNumberOfPoints())
     decimation.VolumePreservationOn()
@@ -95,6 +102,8 @@ def decimated(mesh, vertices):
 
 def subdivided(mesh):
     """Returns the surface after a step of Loop subdivision."""
+    from vtkmodules.vtkFiltersModeling import vtkLoopSubdivisionFilter
+
     subdivision = vtkLoopSubdivisionFilter()
     subdivision.SetNumberOfSubdivisions(1)
     return _updated(subdivision, _used_points(mesh))

@@ -19,10 +19,10 @@ import numpy as np
 import vtkdgg
 from exhibits.surfaces import anisotropy, arrays_of
 from tables import column, count_text, digits, listing, tenths
-from vtkdgg.commands import files
 from vtkdgg.commands.measured import ROUNDING, Errors
 from vtkdgg.commands.methods import field
 from vtkdgg.commands.sizes import floor_of
+from vtkdgg.vtk_data import triangulated
 
 SOURCES = 3
 EXTENSIONS = (".obj", ".off", ".ply", ".stl", ".vtk", ".vtp")
@@ -36,7 +36,7 @@ def meshes_of(folder):
 
 def measure_mesh(path, accuracies, number_of_sources, most_points):
     """Returns one row per accuracy. Raises errors of reading and of exact distances."""
-    mesh = files.triangles_of(vtkdgg.read(path).as_polydata(), path)
+    mesh = triangulated(vtkdgg.read(path).as_polydata(), path)
     points, triangles = arrays_of(mesh)
     if len(points) > most_points:
         raise ValueError(f"{len(points)} points exceed the limit of {most_points}")

@@ -30,7 +30,7 @@ if len(CLASSES) < 28:
 for name in CLASSES:
     if not hasattr(vtkdgg, name):
         sys.exit(f"{name} is missing")
-if WITH_PCL.upper() in ("ON", "1", "TRUE", "YES") and not hasattr(vtkdgg, "vtkPointCloudDGG"):
+if WITH_PCL.upper() in ("ON", "1", "TRUE", "YES") and "vtkPointCloudDGG" not in CLASSES:
     sys.exit("vtkPointCloudDGG is missing")
 if not pathlib.Path(WHERE).with_name("py.typed").exists():
     sys.exit("py.typed is missing")

@@ -322,7 +322,7 @@ class Record:
         return outcome
 
     def record_classes(self):
-        names = [name for name in dir(vtkdgg) if not name.startswith("__")]
+        names = sorted(vtkdgg.__all__)
         self.content["classes"]["vtkdgg"] = {"methods": names}
         for name in dir(vtkdgg):
             value = getattr(vtkdgg, name)

@@ -507,7 +507,7 @@ def pcd(mode):
     return build
 
 
-if hasattr(vtkdgg, "vtkPointCloudDGG"):
+if "vtkPointCloudDGG" in vtkdgg.build_info.CLASSES:
     for scheme in SCHEMES:
         CLOUD_CASES[f"cloud-{scheme}"] = (cloud_graph(scheme), 10**9 if scheme == "C" else 6000)
     CLOUD_CASES["cloud-normals"] = (cloud_graph("C", EstimateNormals=True), LARGE)

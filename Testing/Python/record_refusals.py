@@ -415,6 +415,6 @@ def calls():
         yield f"from {name}", lambda data=data: vtkdgg.Graph.from_polydata(data)
     for kind in (None, 3, "reader", cloud):
         yield f"check {type(kind).__name__}", lambda kind=kind: vtkdgg.check(kind)
-    if hasattr(vtkdgg, "vtkPointCloudDGG"):
+    if "vtkPointCloudDGG" in vtkdgg.build_info.CLASSES:
         with_graph = vtkdgg.check(make("vtkPointCloudDGG", record_cases.bumpy_cloud()))
         yield "from cloud graph", lambda: vtkdgg.Graph.from_polydata(with_graph)

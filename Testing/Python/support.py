@@ -28,7 +28,7 @@ EXAMPLES = os.path.join(ROOT, "Examples")
 OUTPUT = os.environ["DGG_TEST_OUTPUT"]
 BUMPY = os.path.join(DATA, "bumpy.ply")
 TETRAHEDRON = os.path.join(DATA, "tetrahedron.off")
-HAS_CLOUDS = hasattr(vtkdgg, "vtkPointCloudDGG")
+HAS_CLOUDS = hasattr(vtkdgg._kernel, "cloud_graph")
 needs_clouds = unittest.skipUnless(HAS_CLOUDS, "built without PCL")
 
 

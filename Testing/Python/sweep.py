@@ -93,7 +93,7 @@ def attempt(name, surface, results, folder, limit):
         trial = Trial(surface, results, folder, timer)
         try:
             outcome["result"] = CHECKS[name](trial)
-        except vtkdgg.VTKError as error:
+        except vtkdgg.Error as error:
             known = all(any(re.search(p, m, re.I) for p in REFUSALS) for m in error.messages)
             outcome["status"] = "refused" if known else "error"
             outcome["messages"] = [re.sub(r"\s+", " ", text) for text in error.messages]

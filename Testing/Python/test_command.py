@@ -20,9 +20,8 @@ import support
 import vtkdgg
 from support import BUMPY, HAS_CLOUDS, TETRAHEDRON
 from support import call as command
-from vtkdgg import graph, queries
 from vtkdgg.command_line import make_parser, script
-from vtkdgg.surface import with_arrays
+from vtkdgg.vtk_data import with_arrays
 
 PACKAGES = os.path.dirname(os.path.dirname(vtkdgg.__file__))
 FOLDER = support.output_folder("command")
@@ -125,16 +124,24 @@ class Command(support.Test):
         self.assertEqual(
             names,
             "info graph distance matrix path loop isolines voronoi sample greens render explore "
-            "compare".split(),
+            "compare paraview".split(),
         )
         result = command("--help")
         for name in names:
             self.assertRegex(result.stdout, rf"(?m)^    {name} +[A-Z]")
             said = command(name, "--help")
             self.assertEqual(said.returncode, 0)
-            self.assertIn("--out" if name != "info" else "--json", said.stdout)
-            if name not in ("compare",):
+            option = {"info": "--json", "paraview": "--help"}.get(name, "--out")
+            self.assertIn(option, said.stdout)
+            if name not in ("compare", "paraview"):
                 self.assertIn(f"example:\n  vtkdgg {name} mesh.ply", said.stdout)
+
+    def test_paraview(self):
+        said = command("paraview")
+        self.assertEqual(said.returncode, 0, said.stderr)
+        plugin = said.stdout.splitlines()[0]
+        self.assertTrue(os.path.isfile(plugin), plugin)
+        self.assertIn(f"LoadPlugin({plugin!r}", said.stdout)
 
     @unittest.skipUnless(shutil.which("bash"), "no bash")
     def test_completion(self):
@@ -236,16 +243,6 @@ class Command(support.Test):
                     np.testing.assert_allclose(found, expected, rtol=tolerance)
         for line in ("isolines MESH --source 5", "isolines MESH --source 5 --method exact"):
             self.assertEqual(len(self.answer(line)["values"]), 10)
-
-    def test_number_of_updates(self):
-        place = "{},{},{}".format(*self.mesh.GetPoint(5))
-        for module, line, count in (
-            (graph, "isolines MESH --source 5", 2),  # distances and isolines
-            (queries, f"voronoi MESH --site {place} --site 100", 1),
-        ):
-            with mock.patch.object(module, "run", wraps=module.run) as run:
-                command(*line.replace("MESH", BUMPY).split())
-            self.assertEqual(run.call_count, count)
 
     def test_matrix(self):
         expected = vtkdgg.Graph(self.mesh, accuracy=0.05).matrix([0, 5, 9], [7, 500])

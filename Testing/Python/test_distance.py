@@ -73,7 +73,7 @@ class Distance(support.Test):
         for accuracy in (None, 0.01):
             options = {"accuracy": accuracy}
             self.refuse(
-                lambda: self.distance(above, **options), ((), pattern), error=vtkdgg.VTKError
+                lambda: self.distance(above, **options), ((), pattern), error=vtkdgg.Error
             )
             distances = self.distance(above, projection_tolerance=0.1, **options)
             np.testing.assert_allclose(
@@ -177,7 +177,7 @@ class WrongInput(support.Test):
             (np.ma.masked_equal(self.TRIANGLES, 1), "has masked entries"),
         )
         for call in (lambda *mesh: vtkdgg.distance(*mesh, 0), vtkdgg.Graph):
-            self.refuse(call, ((self.POINTS, []), "no polygons"), error=vtkdgg.VTKError)
+            self.refuse(call, ((self.POINTS, []), "no polygons"), error=vtkdgg.Error)
 
     def test_sources(self):
         self.refuse_all(

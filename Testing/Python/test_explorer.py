@@ -14,7 +14,7 @@ import support
 import vtkdgg
 from support import BUMPY, HAS_CLOUDS
 from vtkdgg import explorer
-from vtkdgg.errors import VTKError
+from vtkdgg import Error
 from vtkdgg.explorer import Explorer, Scene
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkPolyData
@@ -423,7 +423,7 @@ class Surface(support.Test):
 
         def refuse(method, is_moving=False):
             if method == "exact":
-                raise VTKError(["no exact distances today"])
+                raise Error(["no exact distances today"])
             return search(method, is_moving)
 
         with mock.patch.object(scene, "_search", refuse):

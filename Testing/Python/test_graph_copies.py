@@ -27,9 +27,7 @@ class Copies(unittest.TestCase):
                 np.testing.assert_array_equal(found, expected)
             np.testing.assert_array_equal(graph.matrix([1, 2]), self.graph.matrix([1, 2]))
             self.assertEqual(graph.path(5, 318).length, self.graph.path(5, 318).length)
-        search = graph._filters[vtkdgg.vtkDGGDistance]
-        self.assertTrue(search.GetUsedInputGraph())
-        self.assertEqual(search.GetMemoryLimit(), 2**28)
+        self.assertEqual(graph._memory_limit, 2**28)
         self.assertEqual(repr(graph), repr(self.graph))
 
     def test_copies(self):

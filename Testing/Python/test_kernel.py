@@ -230,7 +230,7 @@ class Filters(unittest.TestCase):
 
     @classmethod
     def setUpClass(cls):
-        cls.mesh, _ = vtkdgg.meshes.take(*torus())
+        cls.mesh = vtkdgg.meshes.take(*torus())[0].polydata()
 
     def check(self, results, name, *settings, data=None):
         """Compares all arrays of results with those of the output ports of a filter."""

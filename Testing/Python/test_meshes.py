@@ -125,8 +125,8 @@ class Meshes(support.Test):
                 wrong = (file,), "file.ply: no such file"
                 self.refuse(call, wrong, error=FileNotFoundError)
         self.refuse(vtkdgg.path, ((MESHES["trimesh"], 0), "end: missing"))
-        wrong = (Mesh(points=POINTS), 0), r"Python: vtkdgg.CloudGraph"
-        self.refuse(vtkdgg.distance, wrong, error=vtkdgg.VTKError)
+        wrong = (Mesh(points=POINTS), 0), r"vtkdgg.CloudGraph"
+        self.refuse(vtkdgg.distance, wrong, error=vtkdgg.Error)
 
     def test_scenes(self):
         scenes = other_packages.make(other_packages.SCENES, POINTS, TRIANGLES)

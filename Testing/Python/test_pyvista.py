@@ -13,7 +13,12 @@ import numpy as np
 import support
 import vtkdgg
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+from vtkmodules.vtkCommonDataModel import (
+    vtkCellArray,
+    vtkPointSet,
+    vtkPolyData,
+    vtkUnstructuredGrid,
+)
 
 REGISTERED = {"accessors": {}, "readers": {}}
 
@@ -72,6 +77,8 @@ def register_dataset_accessor(name, target_cls, *, override=False):
 
 pyvista = types.ModuleType("pyvista")
 pyvista.PolyData = PolyData
+pyvista.PointSet = type("PointSet", (vtkPointSet,), {})
+pyvista.UnstructuredGrid = type("UnstructuredGrid", (vtkUnstructuredGrid,), {})
 pyvista.wrap = PolyData
 pyvista.register_dataset_accessor = register_dataset_accessor
 pyvista.register_reader = REGISTERED["readers"].__setitem__
@@ -179,7 +186,9 @@ class Accessor(unittest.TestCase):
         vtkdgg.write(path, vtkdgg.Mesh(points))
         cloud = REGISTERED["readers"][".pcd"](path, progress_bar=False)
         self.assertIsInstance(cloud, PolyData)
-        found = cloud.dgg.distance(0, accuracy=0.01)
+        with self.assertRaisesRegex(ValueError, "accuracy: applies to meshes"):
+            cloud.dgg.distance(0, accuracy=0.01)
+        found = cloud.dgg.distance(0)
         straight = np.linalg.norm(points, axis=1)
         np.testing.assert_allclose(
             support.point_array(found, "GeodesicDistance"), straight, rtol=0.01, atol=1e-9

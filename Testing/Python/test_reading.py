@@ -17,7 +17,6 @@ import numpy as np
 import support
 import vtkdgg
 from support import warnings_as
-from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import VTK_DOUBLE, VTK_FLOAT, vtkBitArray, vtkIdList, vtkStringArray
 from vtkmodules.vtkCommonDataModel import (
     VTK_BEZIER_QUADRILATERAL,
@@ -326,9 +325,8 @@ class Formats(support.Test):
                 expected.SetFileName(path_of(path, whole))
                 with warnings_as("ignore"):
                     found = vtkdgg.read(os.path.join(FOLDER, path)).polygons
-                    surface = vtkdgg.meshes.take(vtkdgg.check(expected))[0]
-                polys = vtk_to_numpy(surface.GetPolys().GetConnectivityArray())
-                np.testing.assert_array_equal(found[1], polys)
+                    surface, _ = vtkdgg.meshes.take(vtkdgg.check(expected))
+                np.testing.assert_array_equal(found[1], surface.polygons[1])
             self.assertNotEqual(contents, old_contents)
         source.SetCellType(VTK_BEZIER_QUADRILATERAL)
         with self.assertRaisesRegex(ValueError, "cell 0 is a vtkBezierQuadrilateral, .* expected"):

@@ -95,6 +95,7 @@ class Pages(unittest.TestCase):
             ("Wrapping/ParaView/README.md", "python"): 3,  # tested in ParaView
             ("Wrapping/Python/Files.md", "python"): 1,
             ("Wrapping/Python/Packages.md", "python"): 1,
+            ("Wrapping/Python/PyVista.md", "python"): 1,  # tested with PyVista
             ("Wrapping/Python/README.md", "python"): 2,
         }
         for page in pages.PAGES:

@@ -37,6 +37,7 @@ list(APPEND doc_inputs
   Wrapping/Python/Demo.md
   Wrapping/Python/Files.md
   Wrapping/Python/Packages.md
+  Wrapping/Python/PyVista.md
   Wrapping/Python/README.md
   Wrapping/Python/Shell.md
   Wrapping/README.md)

@@ -161,7 +161,7 @@ python3 (<< 3.${dgg_next}), python3-numpy, python3-vtk9")
       Filters/PointCloud/README.md Filters/Spectral/README.md Readers/README.md
       Wrapping/README.md Wrapping/ParaView/README.md Wrapping/Python/README.md
       Wrapping/Python/Demo.md Wrapping/Python/Files.md Wrapping/Python/Packages.md
-      Wrapping/Python/Shell.md
+      Wrapping/Python/PyVista.md Wrapping/Python/Shell.md
       Testing/README.md Testing/Benchmark/README.md Testing/Benchmark/Differences.md
       Testing/Benchmark/Thesis.md)
     get_filename_component(dgg_page_folder "${dgg_page}" DIRECTORY)

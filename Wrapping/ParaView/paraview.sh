@@ -93,6 +93,7 @@ unpack() {
 }
 
 [ "$package" = OFF ] || builds+=(file) # which CPack asks
+[ "$test" = OFF ] || builds+=(pybind11-dev python3-dev) # the Python plugin
 dgg_install "${builds[@]}"
 if [ ! -d "$root" ] && is_usable "$@"; then
   echo "Using the ParaView in $(cat "$build/found")"
@@ -122,6 +123,7 @@ dgg_build "$build" \
   -DDGG_PARAVIEW_PLUGIN=ON \
   -DDGG_KERNEL_FROM= \
   -DBUILD_TESTING="$test" \
+  -DDGG_WITH_PYTHON_KERNEL="$test" \
   "$@"
 plugin="$(cat "$build/plugin")"
 echo "Built $plugin"

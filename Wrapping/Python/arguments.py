@@ -1,7 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Checks of arguments, and their conversion to VTK. Errors are a ValueError that names the
-argument."""
+"""Checks of arguments. Errors are a ValueError that names the argument."""
 
 from __future__ import annotations
 
@@ -9,11 +8,9 @@ import operator
 from typing import TYPE_CHECKING, Sequence, Tuple, Union
 
 import numpy as np
-from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 from .checks import check_ids, coordinates, numbers, there_are  # noqa: F401
-from .surface import add_array, cells_of, configured, vtk_points
+from .errors import needing_vtk
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -70,49 +67,62 @@ class SurfacePoints:
         return result
 
     @property
-    def ids(self):
-        """The point ids as filters take them; empty unless all points were given by id."""
-        return self.point_ids.tolist() if (self.point_ids >= 0).all() else []
+    def are_ids(self):
+        """True if all points were given by id."""
+        return bool((self.point_ids >= 0).all())
 
-    @property
-    def data(self):
-        """The points for a port of a filter; None if all points were given by id."""
-        return None if (self.point_ids >= 0).all() else self.polydata()
+    def in_kernel(self):
+        """Returns the points as functions of the kernel take them."""
+        return self.point_ids if self.are_ids else self.in_place()
+
+    def in_place(self):
+        """Returns the points by their coordinates, as functions of the kernel take them."""
+        return {"points": self.positions(), **self.identities()}
+
+    def identities(self):
+        """Returns the arrays that identify the points beside their coordinates: ids of points, or
+        cells and barycentric coordinates, or both."""
+        found = {}
+        if (self.faces < 0).any():
+            found["original_ids"] = self.point_ids
+        if (self.faces >= 0).any():
+            found.update(cells=self.faces, barycentric=self.barycentric)
+        return found
 
     def positions(self):
         """Coordinates of all points, shape (k, 3)."""
         result = self.coordinates.copy()
-        points = self._surface.GetPoints()
-        points = vtk_to_numpy(points.GetData()) if points else np.empty((0, 3))
+        points = self._surface.points
         by_id, in_face = self.point_ids >= 0, self.faces >= 0
         result[by_id] = points[self.point_ids[by_id]]
         corners = points[self[in_face].corners()]
         result[in_face] = (self.barycentric[in_face, :, np.newaxis] * corners).sum(axis=1)
         return result
 
+    def polydata(self, result=None):
+        """Returns the points as a vtkPolyData with the point arrays by which filters identify them,
+        and those of a result of the kernel."""
+        with needing_vtk("as_polydata"):
+            from . import vtk_data, vtk_output
+
+        points = vtk_data.points_polydata(self.positions())
+        names = {"original_ids": "vtkOriginalPointIds", "cells": "FaceId"}
+        for key, values in self.identities().items():
+            vtk_data.add_array(points.GetPointData(), names.get(key, "Barycentric"), values)
+        return points if result is None else vtk_output.polydata_of_result(result, points)
+
     def corners(self):
         """Point ids of the corners of the faces, shape (k, 3), if all points were given so."""
-        offsets = vtk_to_numpy(self._surface.GetPolys().GetOffsetsArray())
-        corners = vtk_to_numpy(self._surface.GetPolys().GetConnectivityArray())
-        polygons = self.faces - first_polygon(self._surface)
+        offsets, corners = self._surface.polygons
+        polygons = self.faces - self._surface.first_polygon
         return corners[offsets[polygons][:, np.newaxis] + np.arange(3)]
-
-    def polydata(self):
-        """The points as a vtkPolyData, with the point arrays by which filters identify them."""
-        result = polydata(self.positions())
-        if (self.faces < 0).any():
-            add_array(result.GetPointData(), "vtkOriginalPointIds", self.point_ids)
-        if (self.faces >= 0).any():
-            add_array(result.GetPointData(), "FaceId", self.faces)
-            add_array(result.GetPointData(), "Barycentric", self.barycentric)
-        return result
 
 
 def surface_points(values, name, surface, is_cloud=False):
     """Returns points of a surface as `SurfacePoints`: ids (integers), coordinates (floats), tuples
     (face, barycentric coordinates), or a sequence that mixes them."""
     if values is None:
-        raise ValueError(f"{name}: missing")
+        raise ValueError(f"{name}: missing; pass point ids, coordinates or points in faces")
     if _is_in_face(values):
         values = [values]
     if is_mixed(values):
@@ -135,8 +145,8 @@ def surface_points(values, name, surface, is_cloud=False):
         if is_float:
             result.coordinates = array
         else:
-            if surface.GetNumberOfPoints():  # distance() takes a mesh without points
-                check_ids(array, surface.GetNumberOfPoints(), name)
+            if surface.number_of_points:  # distance() takes a mesh without points
+                check_ids(array, surface.number_of_points, name)
             result.point_ids = array.astype(np.int64)
     _check_faces(result, name, surface, is_cloud)
     return result
@@ -154,13 +164,6 @@ def surface_point(value, name, surface, is_cloud=False):
                 + (f"a {kind}" if array is None else f"{array.dtype} of shape {array.shape}")
             )
     return surface_points(value, name, surface, is_cloud)
-
-
-def set_points(algorithm, name, points):
-    """Sets `SurfacePoints`, or None for none, as ids or data of a filter. `name` is the prefix of
-    its properties, such as "Source"."""
-    getattr(algorithm, f"Set{name}Ids")([] if points is None else points.ids)
-    getattr(algorithm, f"Set{name}Data")(None if points is None else points.data)
 
 
 def is_mixed(values):
@@ -206,15 +209,14 @@ def _check_faces(points, name, surface, is_cloud):
         return
     if is_cloud:
         raise ValueError(f"{name}: a point cloud has no faces; give point ids or coordinates")
-    offsets = vtk_to_numpy(surface.GetPolys().GetOffsetsArray())
-    first = first_polygon(surface)
+    offsets, _ = surface.polygons
     for i in in_face:
         face, weights = points.faces[i], points.barycentric[i]
         entry = f"{name}: face {face} (entry {i})"
-        if not 0 <= face < surface.GetNumberOfCells():
-            cells = there_are(surface.GetNumberOfCells(), "cell")
+        if not 0 <= face < surface.number_of_cells:
+            cells = there_are(surface.number_of_cells, "cell")
             raise ValueError(f"{entry} does not exist; {cells}")
-        polygon = face - first
+        polygon = face - surface.first_polygon
         if not 0 <= polygon < len(offsets) - 1 or offsets[polygon + 1] - offsets[polygon] != 3:
             raise ValueError(f"{entry} is not a triangle; barycentric coordinates need one")
         # False for NaN.
@@ -225,11 +227,6 @@ def _check_faces(points, name, surface, is_cloud):
                 f"{entry} has the barycentric coordinates {weights}; expected non-negative "
                 "numbers with the sum 1"
             )
-
-
-def first_polygon(surface):
-    """Returns the cell id of the first polygon, which follows verts and lines."""
-    return surface.GetNumberOfVerts() + surface.GetNumberOfLines()
 
 
 def point_id(value, name, number_of_points):
@@ -307,14 +304,3 @@ def number_of_bytes(value, name):
     if not 1.0 <= number(value, name) < 2.0**63:
         raise ValueError(f"{name}: expected 1 to 2^63 - 1 bytes, got {value}")
     return int(value)
-
-
-def polyline(points):
-    """Returns coordinates as points with one line through all of them."""
-    line = cells_of(np.array([0, len(points)]), np.arange(len(points)))
-    return configured(polydata(points), Lines=line)
-
-
-def polydata(points):
-    """Returns checked coordinates as points without cells."""
-    return configured(vtkPolyData(), Points=vtk_points(points))

@@ -36,7 +36,8 @@ def numbers(values, name, kind="number"):
         if got == object:
             others = (value for value in array.flat if not isinstance(value, (int, float, np.number)))
             got = next((type(value).__name__ for value in others), got)
-        raise ValueError(f"{name}: expected {kind}s, got {got}")
+        remedy = "; convert them by .astype(int)" if kind == "integer" and array.dtype.kind == "f" else ""
+        raise ValueError(f"{name}: expected {kind}s, got {got}{remedy}")
     return array
 
 
@@ -60,7 +61,8 @@ def check_ids(array, number_of_points, name):
     outside = (array < 0) | (array >= number_of_points)
     if outside.any():
         entry = np.unravel_index(int(np.argmax(outside)), array.shape)
+        starts_at_1 = array.size > 1 and array.min() == 1 and array.max() == number_of_points
         raise ValueError(
             f"{name}: point id {array[entry]} (entry {', '.join(map(str, entry))}) does not exist; "
-            f"{there_are(number_of_points, 'point')}"
+            f"{there_are(number_of_points, 'point')}{', with ids from 0' * starts_at_1}"
         )

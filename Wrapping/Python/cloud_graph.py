@@ -4,22 +4,17 @@
 
 from __future__ import annotations
 
-import warnings
 from typing import TYPE_CHECKING, Any, Optional
 
-import numpy as np
-from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonDataModel import vtkPolyData
-
-from . import arguments, meshes
-from .build_info import HAS_POINT_CLOUDS
-from .errors import VTKError, depth_of_package, run
-from .graph_info import CONSTRUCTIONS, SCHEMES, GraphInfo
+from . import _kernel, arguments, meshes
+from .errors import Error, call, warn
+from .graph_info import CONSTRUCTIONS, SCHEMES, GraphInfo, arrays_of
 from .queries import Queries
-from .vtkDGGFiltersGeodesic import vtkDGGDistance
 
 if TYPE_CHECKING:
+    import numpy as np
     from numpy.typing import ArrayLike, NDArray
+    from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 __all__ = ["CloudGraph"]
 
@@ -51,14 +46,12 @@ class CloudGraph(Queries):
 
     Raises
     ------
-    ImportError
-        When vtkDGG was built without PCL.
-    ValueError, VTKError
+    ValueError, Error
         As for `Graph`.
 
     See Also
     --------
-    vtkPointCloudDGG : the filter that builds it, with further options.
+    vtkPointCloudDGG : a filter with further options.
 
     Examples
     --------
@@ -79,41 +72,46 @@ class CloudGraph(Queries):
         accuracy: Optional[float] = None,
         memory_limit: Optional[int] = None,
     ) -> None:
-        if not HAS_POINT_CLOUDS:
-            raise ImportError("CloudGraph needs vtkDGG built with PCL (CMake: -DDGG_WITH_PCL=ON)")
-        from .vtkDGGFiltersPointCloud import vtkPointCloudDGG
-
         cloud = meshes.cloud_of(points)
-        count = cloud.GetNumberOfPoints()
+        count = cloud.number_of_points
         if count == 0:
             raise ValueError("points: expected at least one, got none")
         limit = arguments.number_of_bytes(memory_limit, "memory_limit")
-        is_given = offset_in_voxels or resolution or alpha
-        if not is_given and normals is None and scheme is None and accuracy is None:
-            info = GraphInfo.find(cloud)
-        else:
-            info = None
+        if scheme not in (None, *SCHEMES):
+            raise ValueError(f"scheme: expected one of {', '.join(SCHEMES)}, got {scheme!r}")
+        options = {
+            "offset_in_voxels": arguments.number(offset_in_voxels, "offset_in_voxels"),
+            "resolution": arguments.integer(resolution, "resolution"),
+            "alpha": arguments.number(alpha, "alpha"),
+        }
+        if accuracy is not None:
+            options["accuracy"] = arguments.number(accuracy, "accuracy")
+        is_default = normals is None and scheme is None and accuracy is None
+        info = None if any(options.values()) or not is_default else GraphInfo.find(cloud.field_data)
+        issued = set()
+        prepared = cloud.prepared(is_cloud=True, issued=issued)
         if info is not None and info.is_cloud:
-            self._take(cloud, limit, True)
-            if self._is_current():
+            graph = _stored(cloud, prepared, issued)
+            if graph is not None:
+                self._take(cloud.copy(), graph, limit, True, issued)
                 return
-            scheme, accuracy = CONSTRUCTIONS[info.construction], info.accuracy
+            scheme, options["accuracy"] = CONSTRUCTIONS[info.construction], info.accuracy
         if normals is not None:
             normals = arguments.coordinates(normals, "normals")
             if len(normals) != count:
                 raise ValueError(f"normals: expected {count}, got {len(normals)}")
-            cloud.GetPointData().SetNormals(numpy_to_vtk(normals, deep=True))
-        builder = vtkPointCloudDGG()
-        if scheme not in (None, *SCHEMES):
-            raise ValueError(f"scheme: expected one of {', '.join(SCHEMES)}, got {scheme!r}")
-        builder.SetScheme(getattr(builder, scheme or "C"))
-        builder.SetOffsetInVoxels(arguments.number(offset_in_voxels, "offset_in_voxels"))
-        builder.SetResolution(arguments.integer(resolution, "resolution"))
-        builder.SetAlpha(arguments.number(alpha, "alpha"))
-        if accuracy is not None:
-            builder.SetAccuracy(arguments.number(accuracy, "accuracy"))
-        builder.SetMemoryLimit(limit)
-        self._build(builder, cloud)
+        built = call(
+            _kernel.cloud_graph,
+            prepared,
+            scheme=_KERNEL_SCHEMES[scheme or "C"],
+            normals=cloud.normals if normals is None else normals,
+            memory_limit=limit,
+            issued=issued,
+            **options,
+        )
+        surface = cloud.copy()
+        surface.add_point_array("Component", built.components)
+        self._take(surface, built.graph, limit, False, issued)
 
     @classmethod
     def from_polydata(
@@ -135,31 +133,40 @@ class CloudGraph(Queries):
         ValueError
             When there are no points, no graph, or that of a mesh.
         """
-        if not isinstance(polydata, vtkPolyData):
+        if not meshes.is_vtk(polydata, "vtkPolyData"):
             raise TypeError(f"polydata: expected a vtkPolyData, got {type(polydata).__name__}")
-        if not GraphInfo(polydata).is_cloud:
+        if not GraphInfo(meshes.cloud_of(polydata).field_data).is_cloud:
             raise ValueError("polydata: its graph is that of a mesh: see vtkdgg.Graph")
         return cls(polydata, memory_limit=memory_limit)
-
-    def _is_current(self):
-        """Returns true if the graph belongs to the points, otherwise warns."""
-        search = self._filter(vtkDGGDistance, None)
-        finite = np.isfinite(self.points).all(axis=1)
-        search.SetSourceIds([int(np.argmax(finite))])
-        search.SetMaximumDistance(0.0)
-        try:
-            run(search, self._issued)
-        except VTKError:
-            warnings.warn(
-                "points: the graph on the cloud belongs to other points or is damaged; another "
-                "one is built",
-                RuntimeWarning,
-                stacklevel=depth_of_package(),
-            )
-            return False
-        return True
 
     @property
     def components(self) -> NDArray[np.int32]:
         """Components by decreasing size, shape (n,); -1 for points that are not finite."""
-        return np.array(vtk_to_numpy(self._surface.GetPointData().GetArray("Component")))
+        found = self._surface.data.point_data.get("Component")
+        if found is None:
+            raise ValueError(
+                "The cloud has its graph without the point array Component. Build another graph, "
+                "for example by an `accuracy`."
+            )
+        return found.copy()
+
+
+# Names of the schemes in the kernel.
+_KERNEL_SCHEMES = {"A": "Curvature", "B": "Constant", "C": "Spacing"}
+
+
+def _stored(cloud, prepared, issued):
+    """Returns the graph on the cloud; None, with a warning, if it belongs to other points."""
+    try:
+        return call(_kernel.Graph.from_arrays, prepared, arrays_of(cloud.field_data))
+    except Error as error:
+        if error.reason == "OutOfMemory":
+            raise
+        warn(
+            [
+                "points: the graph on the cloud belongs to other points or is damaged; another "
+                "one is built"
+            ],
+            issued,
+        )
+        return None

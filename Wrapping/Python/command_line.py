@@ -18,13 +18,12 @@ import sys
 import textwrap
 import warnings
 
-from vtkmodules.vtkCommonCore import vtkSMPTools, vtkVersion
-
-from . import build_info, reading, writing
+from . import _kernel, build_info, reading, writing
+from .checks import counted
 from .commands import answers, compare, files, places
 from .commands.output import print_table
 from .commands.words import HELP, in_options, notes_of
-from .errors import VTKError
+from .errors import Error, needing_vtk
 
 EXAMPLES = """examples:
   vtkdgg info mesh.ply
@@ -44,12 +43,10 @@ DRAWING = ("compare", "render")
 
 def version():
     """Returns the version and the build options in one line."""
-    threads = vtkSMPTools.GetEstimatedNumberOfThreads()
-    clouds = "with" if build_info.HAS_POINT_CLOUDS else "without"
-    return (
-        f"vtkdgg {build_info.VERSION}, VTK {vtkVersion.GetVTKVersion()}, {threads} threads "
-        f"({vtkSMPTools.GetBackend()}), {clouds} point clouds"
-    )
+    vtk = f"VTK {build_info.VTK_VERSION}, " * bool(build_info.VTK_VERSION)
+    threads = counted(_kernel.get_number_of_threads(), "thread")
+    clouds = "with" if hasattr(_kernel, "cloud_graph") else "without"
+    return f"vtkdgg {build_info.VERSION}, {vtk}{threads}, {clouds} point clouds"
 
 
 class Parser(argparse.ArgumentParser):
@@ -240,7 +237,21 @@ def make_parser():
     )
     compare.add_arguments(command, OPTIONS)
     command.set_defaults(run=compare.run)
+    command = commands.add_parser("paraview", help=paraview.__doc__, description=paraview.__doc__)
+    command.set_defaults(run=paraview)
     return parser
+
+
+def paraview(_options):
+    """Print the file of the plugin for ParaView and how to load the file"""
+    file = os.path.join(os.path.dirname(os.path.abspath(__file__)), "paraview", "Geodesics.py")
+    print(f"""{file}
+
+In ParaView: Tools > Manage Plugins > Load New, and select this file. In pvpython and pvbatch:
+  from paraview.simple import *
+  LoadPlugin({file!r}, remote=False, ns=globals())
+The version of ParaView's Python must be {sys.version_info.major}.{sys.version_info.minor}.""")
+    return 0
 
 
 def said_with(found):
@@ -341,7 +352,9 @@ def _run(arguments, restart=None):
                 if restart is None:
                     raise ValueError("there is no display to draw with; set DISPLAY")
                 restart(arguments)
-        code = options.run(options) if options.command == "compare" else answer(options)
+        prints = options.command in ("compare", "paraview")
+        with needing_vtk(f"vtkdgg {options.command}"):
+            code = options.run(options) if prints else answer(options)
         sys.stdout.flush()
         return code
     except BrokenPipeError:  # the reader of a pipe has closed it
@@ -350,7 +363,7 @@ def _run(arguments, restart=None):
     except answers.Negative as reason:
         print(f"no answer: {in_options(str(reason))}", file=sys.stderr)
         return 1
-    except (ValueError, VTKError, ImportError, OSError) as problem:
+    except (ValueError, Error, ImportError, OSError) as problem:
         print(f"error: {in_options(' '.join(reason_of(problem).split()))}", file=sys.stderr)
         return 2
     except KeyboardInterrupt:

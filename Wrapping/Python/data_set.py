@@ -46,6 +46,8 @@ class DataSet:
         Names of arrays of strings, which are skipped.
     is_of_vtk_8 : bool
         True if Lagrange hexahedra have the order of nodes of VTK 8.
+    is_single : bool
+        True if coordinates that have not changed are those of a file in single precision.
     may_be_cut : bool
         True if the file ends with a number without a line end, which may have lost digits.
     """
@@ -62,7 +64,26 @@ class DataSet:
         self.active = {}
         self.texts = []
         self.is_of_vtk_8 = False
+        self.is_single = False
         self.may_be_cut = False
+
+    @classmethod
+    def of(cls, mesh):
+        """Returns the contents of a Mesh, whose arrays are shared."""
+        result = cls("POLYDATA")
+        result.points = mesh.points
+        result.cells.update(verts=mesh.verts, lines=mesh.lines, polygons=mesh.polygons)
+        result.point_data, result.cell_data = mesh.point_data, mesh.cell_data
+        result.field_data, result.active = mesh.field_data, mesh._active
+        result.is_single = mesh._is_single
+        return result
+
+    def stored_points(self):
+        """Returns the coordinates, in single precision for unchanged ones of a file that stores it."""
+        values = self.points
+        if self.is_single and np.array_equal(values.astype(np.float32), values, equal_nan=True):
+            values = values.astype(np.float32)
+        return values
 
     def number_of_cells(self):
         """Returns the number of cells of all kinds."""
@@ -114,7 +135,7 @@ class DataSet:
             cell_data=cell_data,
             field_data=self.field_data,
         )
-        mesh._is_single = self.points.dtype == np.float32
+        mesh._is_single = self.is_single or self.points.dtype == np.float32
         mesh._active = self.active
         return mesh
 

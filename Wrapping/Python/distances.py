@@ -7,19 +7,10 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any, Optional, Tuple, Union
 
 import numpy as np
-from vtkmodules.util.numpy_support import vtk_to_numpy
 
-from . import arguments, meshes
-from .errors import run
-from .graph_info import choose_method, set_up
-from .results import array_of
-from .surface import add_array
-from .vtkDGGFiltersGeodesic import (
-    vtkDGGDistance,
-    vtkDGGFastMarchingDistance,
-    vtkExactGeodesicDistance,
-    vtkVirtualSourceGeodesicDistance,
-)
+from . import _kernel, arguments, meshes
+from .errors import call
+from .graph_info import choose_method, find_or_build, merging
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
@@ -29,12 +20,12 @@ if TYPE_CHECKING:
 
 __all__ = ["distance"]
 
-#: Filters by the names of methods.
-FILTERS = {
-    "exact": vtkExactGeodesicDistance,
-    "graph": vtkDGGDistance,
-    "fast": vtkVirtualSourceGeodesicDistance,
-    "marching": vtkDGGFastMarchingDistance,
+#: Functions of the kernel by the names of methods.
+METHODS = {
+    "exact": _kernel.exact_distance,
+    "graph": _kernel.Graph.distance,
+    "fast": _kernel.virtual_source_distance,
+    "marching": _kernel.fast_marching_distance,
 }
 
 
@@ -117,15 +108,15 @@ def distance(
     ValueError
         When an array or another argument has the wrong shape or type, a number is not finite, or
         an id does not exist.
-    VTKError
-        When the filter refuses the input, as for coordinates far off the surface.
+    Error
+        When the mesh cannot be used, or a point is far off the surface.
 
     See Also
     --------
     Graph : for many calls on one mesh.
     CloudGraph : for point clouds, far more accurate than "marching".
     vtkExactGeodesicDistance, vtkDGGDistance, vtkVirtualSourceGeodesicDistance,
-        vtkDGGFastMarchingDistance : the filters that do the work, with further options.
+        vtkDGGFastMarchingDistance : filters with further options.
 
     Examples
     --------
@@ -134,48 +125,42 @@ def distance(
     array([0., 3., 4.])
     """
     surface, (sources,) = meshes.take(points, triangles, sources=sources)
-    limit = arguments.limit(maximum_distance, "maximum_distance")
     sources = arguments.surface_points(sources, "sources", surface)
-    unreached = arguments.number(unreached, "unreached")
-    method, info = choose_method(method, accuracy, surface, FILTERS)
-    distance_filter = FILTERS[method]()
-    merging = merge_coincident_points, merge_tolerance
-    set_up(distance_filter, surface, *merging, projection_tolerance, info)
-    set_sources(distance_filter, sources, initial_distances)
-    if surface.GetNumberOfPoints() == 0:
+    options = field_options(sources, maximum_distance, initial_distances, projection_tolerance)
+    options["unreached_value"] = arguments.number(unreached, "unreached")
+    method, info = choose_method(method, accuracy, surface, METHODS)
+    how = merging(merge_coincident_points, merge_tolerance, info)
+    if surface.number_of_points == 0:
         if as_polydata:
-            return surface
+            return surface.polydata()
         return (np.empty(0), np.empty(0, dtype=np.intp)) if return_source else np.empty(0)
 
-    if accuracy is not None:
-        distance_filter.SetAccuracy(arguments.accuracy(accuracy))
-    distance_filter.SetGenerateNearestSource(bool(return_source))
-    distance_filter.SetMaximumDistance(limit)
-    distance_filter.SetUnreachedValue(unreached)
-    output = run(distance_filter)
-    if as_polydata:
-        return output
-    return field_of(distance_filter, return_source)
+    has_cloud = info is not None and info.is_cloud
+    target = surface.prepared(*how, has_cloud or (method == "marching" and not surface.has_polygons))
+    if method == "graph":
+        accuracy = None if accuracy is None else arguments.accuracy(accuracy)
+        target = find_or_build(surface, target, accuracy)
+    options["generate_nearest_source"] = bool(return_source)
+    result = call(METHODS[method], target, sources.in_kernel(), **options)
+    return surface.polydata(result) if as_polydata else field_of(result, return_source)
 
 
-def set_sources(solve, sources, initial_distances):
-    """Sets the sources of a distance filter, `SurfacePoints`, and their initial distances."""
-    offsets = np.zeros(len(sources))
+def field_options(sources, maximum_distance, initial_distances, projection_tolerance):
+    """Returns the options that distances of the kernel have in common, after their check."""
+    options = {
+        "maximum_distance": arguments.limit(maximum_distance, "maximum_distance"),
+        "projection_tolerance": arguments.projection_tolerance(projection_tolerance),
+    }
     if initial_distances is not None:
-        offsets = arguments.finite_numbers(initial_distances, "initial_distances", len(sources))
-    ids, data = sources.ids, sources.data
-    solve.SetSourceIds(ids, offsets[: len(ids)])
-    if data is not None and initial_distances is not None:
-        add_array(data.GetPointData(), solve.GetInitialDistanceArrayName(), offsets)
-    solve.SetSourceData(data)
+        count = len(sources)
+        offsets = arguments.finite_numbers(initial_distances, "initial_distances", count)
+        options["initial_distances"] = offsets
+    return options
 
 
-def field_of(solve, return_source):
-    """Returns the distances that a filter computed, and on request the nearest sources."""
-    # Copies: the filter keeps its output and returns it again for equal parameters.
-    data = solve.GetOutput().GetPointData()
-    distances = array_of(data, solve.GetDistanceArrayName())
+def field_of(result, return_source):
+    """Returns the distances of a result, and on request the nearest sources."""
+    distances = result.point_data["GeodesicDistance"]
     if not return_source:
         return distances
-    nearest = data.GetArray(solve.GetSourceArrayName())
-    return distances, vtk_to_numpy(nearest).astype(np.intp)
+    return distances, result.point_data["GeodesicSource"].astype(np.intp)

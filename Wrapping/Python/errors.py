@@ -1,256 +1,112 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""VTK errors as Python exceptions."""
+"""Calls of the kernel: errors as Python exceptions, warnings, and progress bars."""
 
 from __future__ import annotations
 
+import contextlib
 import re
 import sys
 import warnings
-from typing import Any, List
+from typing import List, Optional
 
-from vtkmodules.vtkCommonCore import vtkObject
-from vtkmodules.vtkCommonDataModel import vtkDataObject
-from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
-from vtkmodules.vtkCommonMisc import vtkErrorCode
-
-from .interruption import Interruption
+from . import _kernel
 from .progress import Bar
 
-__all__ = ["VTKError", "check"]
+__all__ = ["Error", "VTKError"]
 
-# Prefix of a message by VTK, and addresses of objects in a message.
-_PLACE = re.compile(r"\A(?:ERROR|Warning): In .*, line \d+\n")
-_ADDRESS = re.compile(r" ?\(0x[0-9a-fA-F]+\)")
-# Name of the class that reports.
-_REPORTER = re.compile(r"\A\w+: ")
-# Properties of filters that are arguments of functions.
+# Arguments of the kernel that have another name in the functions of the package.
 _ARGUMENTS = {
-    "Accuracy": "accuracy",
-    "Alpha": "alpha",
-    "Boundary": "boundary",
-    "Construction": "construction",
-    "FirstSample": "first",
-    "InFaces": "in_faces",
-    "MaximumDistance": "maximum_distance",
-    "MemoryLimit": "memory_limit",
-    "MergeCoincidentPoints": "merge_coincident_points",
-    "MergeTolerance": "merge_tolerance",
-    "Method": "method",
-    "NumberOfIterations": "iterations",
-    "NumberOfNeighbors": "number_of_neighbors",
-    "NumberOfSamples": "number_of_samples",
-    "ProjectionTolerance": "projection_tolerance",
-    "Resolution": "resolution",
-    "SourceIds": "sources",
+    "first_sample": "first",
+    "number_of_iterations": "iterations",
 }
-_PROPERTY = re.compile(rf"\b({'|'.join(_ARGUMENTS)})\b")
-# Messages by which an executive reports a failure without its reason.
-_NO_REASON = re.compile(r"returned failure for request|No update piece number has been set")
+_ARGUMENT = re.compile(rf"`({'|'.join(_ARGUMENTS)})`")
 
 
-class VTKError(RuntimeError):
-    """An error that a VTK algorithm reported.
+class Error(RuntimeError):
+    """An error that a function of the package reports.
 
     Attributes
     ----------
     messages : list of str
         Messages, one entry per error, in order.
+    parameter : str or None
+        Argument at fault.
+    index : int or None
+        Id or index of the element at fault.
+    reason : str
+        "InvalidInput", "NotConnected", "DamagedGraph" or "OutOfMemory"; empty if unknown.
+    """
+
+    def __init__(
+        self,
+        messages: List[str],
+        parameter: Optional[str] = None,
+        index: Optional[int] = None,
+        reason: str = "",
+    ) -> None:
+        super().__init__("\n".join(messages))
+        self.messages = list(messages)
+        self.parameter = parameter
+        self.index = index
+        self.reason = reason
+
+    def __reduce__(self):
+        return type(self), (self.messages,), vars(self)
+
+
+class VTKError(Error):
+    """An error that a VTK algorithm reported.
+
+    Attributes
+    ----------
     code : int
         ``GetErrorCode()`` of the algorithm that failed first; 0 without a code.
     """
 
     def __init__(self, messages: List[str], code: int = 0) -> None:
-        super().__init__("\n".join(messages))
-        self.messages = list(messages)
+        super().__init__(messages)
         self.code = code
 
 
-def check(algorithm: vtkAlgorithm) -> Any:
-    """Update an algorithm and raise when it, or anything upstream of it, reports an error.
+def call(function, *arguments, issued=None, bar=Bar, check=None, **options):
+    """Calls a function of the kernel with a progress bar, and returns its result. Its errors become
+    an Error.
 
-    Writers write their file. The messages are in the exception, without VTK's file, line and
-    address, and are not printed. After an update without errors, VTK's warnings become Python
-    warnings.
-
-    An update that an observer stops by AbortExecute is no error, as in VTK. The output is then
-    empty until the stopped algorithm is modified or runs again; its ``GetAbortExecute()`` returns
-    true. With VTK before 9.3, a filter whose sources come from the stopped algorithm reports that
-    it has none. Ctrl-C stops an update with a KeyboardInterrupt, after which the algorithm can be used
-    again. Other Python threads run during the update.
-
-    Parameters
-    ----------
-    algorithm : vtkAlgorithm
-        A reader, filter or writer of any module.
-
-    Returns
-    -------
-    vtkDataObject or None
-        The output at port 0, or None when the algorithm has no output.
-
-    Raises
-    ------
-    VTKError
-        When an error was reported. Later calls raise it again until its cause is removed.
-    TypeError
-        When `algorithm` is not a vtkAlgorithm.
-
-    Examples
-    --------
-    >>> mesh = vtkdgg.check(reader)
+    Warnings in the set `issued` are not repeated; others are added to the set. `bar` makes the
+    progress bar. `check` is called with the result before warnings are issued.
     """
-    return run(algorithm, bar=None, words=str)
+    shown = bar()
+    name = function.__name__.replace("_", " ")
+    try:
+        result = function(
+            *arguments, progress=lambda fraction: shown.show(name, fraction), **options
+        )
+    except _kernel.Error as error:
+        parameter = _ARGUMENTS.get(error.parameter, error.parameter)
+        raise Error([in_arguments(error.message)], parameter, error.index, error.code) from None
+    finally:
+        shown.close()
+    if check is not None:
+        check(result)
+    for output in result if isinstance(result, tuple) else (result,):
+        warn(getattr(output, "warnings", ()), issued)
+    return result
+
+
+def warn(texts, issued=None):
+    """Issues texts as warnings, except those in the set `issued`, to which it adds them."""
+    for text in texts:
+        if issued is None or text not in issued:
+            warnings.warn(in_arguments(text), RuntimeWarning, stacklevel=depth_of_package())
+        if issued is not None:
+            issued.add(text)
 
 
 def in_arguments(text):
-    """Returns a message of a filter with arguments, in backticks, in place of properties."""
-    return _PROPERTY.sub(lambda match: f"`{_ARGUMENTS[match[1]]}`", text)
-
-
-def run(algorithm, issued=None, refused=None, bar=Bar, words=in_arguments):
-    """Updates an algorithm like check(), for functions of the package: with a progress bar, and
-    messages in terms of arguments.
-
-    Warnings in the set `issued` are not repeated, even if they come from another class; others are
-    added to the set. A warning becomes an error, and stops the update, if the function `refused`
-    returns true at that time. `bar` makes the progress bar, and `words` translates messages.
-    """
-    if not isinstance(algorithm, vtkAlgorithm):
-        raise TypeError(f"check(): expected a vtkAlgorithm, got {type(algorithm).__name__}")
-    pipeline = _upstream(algorithm)
-    reports = _update(algorithm, pipeline, refused, bar)
-    if not reports.errors and _failed(pipeline):
-        # An earlier update failed, and its messages are lost. Another update repeats them.
-        for node in _failed(pipeline):
-            node.Modified()
-        reports = _update(algorithm, pipeline, refused, bar)
-    failed = [node for node in _failed(pipeline) if not _recovered(node, reports)]
-    if reports.errors or failed:
-        # Failed algorithms must run again in the next update, even without a change.
-        for node in reports.nodes + failed:
-            node.Modified()
-        messages = [words(text) for text in _messages(reports, failed)]
-        raise VTKError(messages, failed[0].GetErrorCode() if failed else 0)
-    for text in reports.warnings:
-        said = _REPORTER.sub("", text)
-        if issued is None or said not in issued:
-            warnings.warn(words(text), RuntimeWarning, stacklevel=depth_of_package())
-        if issued is not None:
-            issued.add(said)
-    if algorithm.GetNumberOfOutputPorts() == 0:
-        return None
-    return algorithm.GetOutputDataObject(0)
-
-
-class _Reports:
-    """Messages of the algorithms of a pipeline during one update."""
-
-    def __init__(self):
-        self.errors = []
-        self.warnings = []
-        self.nodes = []  # algorithms that reported an error
-
-
-def _upstream(algorithm):
-    """Returns the algorithm and all algorithms upstream, sources first."""
-    # Without recursion: a nested recursive function is a reference cycle, which would keep the
-    # algorithms and their data until the garbage collector runs.
-    found = []
-    waiting = [(algorithm, False)]
-    while waiting:
-        node, inputs_are_found = waiting.pop()
-        if node in found:
-            continue
-        if inputs_are_found:
-            found.append(node)
-            continue
-        waiting.append((node, True))
-        inputs = [
-            node.GetInputAlgorithm(port, connection)
-            for port in range(node.GetNumberOfInputPorts())
-            for connection in range(node.GetNumberOfInputConnections(port))
-        ]
-        waiting.extend((source, False) for source in reversed(inputs))
-    return found
-
-
-def _update(algorithm, pipeline, refused, bar):
-    reports = _Reports()
-    bar = bar and bar()
-    interruption = Interruption()
-
-    def watch(target, node):
-        def on_error(caller, event, text):
-            reports.errors.append(_clean(text))
-            reports.nodes.append(node)
-
-        def on_warning(caller, event, text):
-            if refused and refused():
-                on_error(caller, event, text)
-                algorithm.SetAbortExecute(1)
-            else:
-                reports.warnings.append(_clean(text))
-
-        on_error.CallDataType = "string0"
-        on_warning.CallDataType = "string0"
-        return [
-            (target, target.AddObserver("ErrorEvent", on_error)),
-            (target, target.AddObserver("WarningEvent", on_warning)),
-        ]
-
-    stopped = []
-
-    def on_progress(caller, event):
-        # Other Python threads and signal handlers run here: wrappers of VTK hold the interpreter
-        # lock, which Python code releases when other threads wait for it.
-        if interruption.raised:
-            caller.SetAbortExecute(1)
-            stopped.append(caller)
-        elif bar:
-            bar.show(caller.GetClassName(), caller.GetProgress())
-
-    watched = []
-    for node in pipeline:
-        if node.IsA("vtkTrivialProducer"):
-            continue  # provides data without a pipeline
-        watched += watch(node, node)
-        watched.append((node, node.AddObserver("ProgressEvent", on_progress)))
-        # Executives report wrong connections.
-        watched += watch(node.GetExecutive(), node)
-    # Image writers write in Write() only.
-    execute = getattr(algorithm, "Write", algorithm.Update)
-    # VTK reports nothing, not even to observers, while its display of warnings is off.
-    display = vtkObject.GetGlobalWarningDisplay()
-    vtkObject.GlobalWarningDisplayOn()
-    try:
-        with interruption:
-            execute()
-    finally:
-        vtkObject.SetGlobalWarningDisplay(display)
-        for target, tag in watched:
-            target.RemoveObserver(tag)
-        if bar:
-            bar.close()
-    if interruption.raised:
-        for node in stopped:
-            # Modifies the node, so that it runs again. VTK 9.3 and later do not clear the flag.
-            node.SetAbortExecute(0)
-        raise interruption.raised
-    return reports
-
-
-def _failed(pipeline):
-    return [node for node in pipeline if node.GetErrorCode() != vtkErrorCode.NoError]
-
-
-def _recovered(node, reports):
-    """Returns true for a reader that has kept the error code of a failure before its success."""
-    if node in reports.nodes or reports.errors or reports.warnings:
-        return False
-    output = node.GetOutputDataObject(0) if node.GetNumberOfOutputPorts() > 0 else None
-    kinds = range(vtkDataObject.NUMBER_OF_ATTRIBUTE_TYPES)
-    return output is not None and any(output.GetNumberOfElements(kind) > 0 for kind in kinds)
+    """Returns a message of the kernel with the names of arguments of the package."""
+    text = text.replace("in `arrays`", "on the mesh")
+    return _ARGUMENT.sub(lambda match: f"`{_ARGUMENTS[match[1]]}`", text)
 
 
 def depth_of_package():
@@ -261,18 +117,17 @@ def depth_of_package():
     return level
 
 
-def _messages(reports, failed):
-    """Returns the reasons of a failure; never empty."""
-    reasons = [text for text in reports.errors if not _NO_REASON.search(text)]
-    # Some readers of VTK fail with a warning only.
-    if reasons or reports.warnings:
-        return reasons or reports.warnings
-    texts = []
-    for node in failed:
-        text = vtkErrorCode.GetStringFromErrorCode(node.GetErrorCode())
-        texts.append(f"{node.GetClassName()}: error code {node.GetErrorCode()} ({text})")
-    return texts or [f"{node.GetClassName()}: failed without a message" for node in reports.nodes]
+@contextlib.contextmanager
+def needing_vtk(purpose):
+    """Names the extra to install if an import within fails because there is no VTK."""
+    try:
+        yield
+    except ModuleNotFoundError as error:
+        if (error.name or "").partition(".")[0] != "vtkmodules":
+            raise
+        raise missing_vtk(purpose) from None
 
 
-def _clean(text):
-    return _ADDRESS.sub("", _PLACE.sub("", text or "")).strip()
+def missing_vtk(purpose):
+    """Returns the error for a purpose that needs VTK."""
+    return ImportError(f"{purpose} needs VTK, which is not installed (pip install vtkdgg[vtk])")

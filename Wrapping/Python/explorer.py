@@ -17,10 +17,10 @@ from vtkmodules.vtkRenderingCore import vtkRenderWindow, vtkRenderWindowInteract
 from . import pictures, writing
 from .commands import cloud_pictures, places
 from .commands.words import HELP
-from .errors import VTKError
+from .errors import Error
 from .explorer_props import CloudSkin, Skin, bar_of, lines_actor, table_of
 from .explorer_scene import Scene
-from .surface import coordinates_of
+from .vtk_data import coordinates_of
 
 __all__ = ["Explorer", "Scene", "explore"]
 
@@ -310,7 +310,7 @@ class Explorer:
         """Applies a change, and shows its result or its error; by default the scene at rest."""
         try:
             change()
-        except (OSError, ValueError, VTKError) as refusal:
+        except (OSError, ValueError, Error) as refusal:
             self.scene.message = " ".join(str(refusal).split())
             self.draw()
         else:

@@ -16,7 +16,7 @@ from vtkmodules.vtkRenderingCore import vtkCellPicker, vtkPointPicker
 from . import pictures
 from .commands.cloud_pictures import make_bands
 from .commands.sizes import spacing_of
-from .surface import add_array, configured
+from .vtk_data import add_array, configured, coordinates_of
 
 # Lightness of the cells of sources, alternating.
 LIGHTNESS = (0.95, 0.80)
@@ -71,7 +71,7 @@ class CloudSkin:
 
     def __init__(self, cloud):
         self._count = cloud.GetNumberOfPoints()
-        self.spacing = spacing_of(cloud)
+        self.spacing = spacing_of(coordinates_of(cloud))
         plain = pictures.lookup_table(
             (pictures.UNREACHED_DISTANCE,) * 2, 0.0, 1.0, pictures.UNREACHED_DISTANCE
         )

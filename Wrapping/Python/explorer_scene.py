@@ -8,23 +8,30 @@ import contextlib
 import time
 
 import numpy as np
+from vtkdgg import vtkApolloniusIsolines, vtkDiscreteGreensFunction
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
-from . import arguments, meshes
+from . import arguments, filters, meshes
 from .checks import counted
 from .cloud_graph import CloudGraph
-from .commands import files
 from .commands.measured import Errors
 from .commands.sizes import floor_of
-from .distances import FILTERS
-from .errors import VTKError, run
+from .errors import Error
+from .filters import FILTERS, set_merging
 from .graph import Graph
-from .graph_info import GraphInfo, set_merging
+from .graph_info import GraphInfo
 from .pictures import nice_step
-from .results import array_of
-from .surface import add_array, closest_cell, locator_of, shallow_copy, with_arrays
-from .vtkDGGFiltersGeodesic import vtkApolloniusIsolines
-from .vtkDGGFiltersSpectral import vtkDiscreteGreensFunction
+from .pipeline import run
+from .vtk_data import (
+    add_array,
+    array_of,
+    closest_cell,
+    locator_of,
+    polyline,
+    shallow_copy,
+    triangulated,
+    with_arrays,
+)
 
 # Roles of the places, and names of the array of each view in files.
 ROLES = ("source", "end", "corner")
@@ -75,13 +82,15 @@ class Scene:
 
     def __init__(self, surface, is_cloud=False, accuracy=None, merge=False):
         surface = meshes.cloud_of(surface) if is_cloud else meshes.take(surface)[0]
+        info = GraphInfo.find(surface.field_data) if accuracy is None and not is_cloud else None
+        surface = surface.polydata()
         if surface.GetNumberOfPoints() == 0:
             raise ValueError("there are no points to explore")
         if accuracy is not None:
             arguments.accuracy(accuracy)
         self.surface = surface if is_cloud else _triangles_of(surface)
+        self._points, _ = meshes.take(self.surface)
         self.is_cloud = is_cloud
-        info = GraphInfo.find(self.surface) if accuracy is None and not is_cloud else None
         self._uses_input_graph = info is not None
         if info is not None:
             self.accuracy = info.accuracy if info.is_guaranteed else None
@@ -217,7 +226,7 @@ class Scene:
                 self._find_values(is_moving)
                 self._wanted = wanted
             self._find_curves(is_moving)
-        except (ImportError, ValueError, VTKError) as problem:
+        except (ImportError, ValueError, Error) as problem:
             self.message = " ".join(str(problem).split())
             if self._wanted is None:  # incomplete results must not be shown
                 self._forget()
@@ -273,7 +282,7 @@ class Scene:
             found["points"] = with_arrays(self.surface, {ARRAYS[self.shown]: self.values})
         for name, curve in (("path", self.path), ("loop", self.loop)):
             if curve:
-                found[name] = arguments.polyline(curve.points)
+                found[name] = polyline(curve.points)
         return found
 
     def _promise(self):
@@ -351,8 +360,8 @@ class Scene:
         """Runs a filter from the sources, and returns its duration in seconds."""
         with self._timed(name):
             set_merging(algorithm, *self._merging)
-            sources = arguments.surface_points(self.sources, "sources", self.surface)
-            arguments.set_points(algorithm, "Source", sources)
+            sources = arguments.surface_points(self.sources, "sources", self._points)
+            filters.set_points(algorithm, "Source", sources)
             run(algorithm, self._issued)
         return self.times[name]
 
@@ -439,4 +448,4 @@ class Scene:
 def _triangles_of(surface):
     """Returns the triangles of a surface."""
     arguments.coordinates(vtk_to_numpy(surface.GetPoints().GetData()), "points")
-    return files.triangles_of(surface, "surface")
+    return triangulated(surface, "surface")

@@ -149,7 +149,9 @@ class Overloads(ast.NodeTransformer):
     visit_Expr = visit_Assign  # removes docstrings
 
     def visit_ClassDef(self, node):
-        """Gives a class that has only a docstring a body."""
+        """Gives a class that has only a docstring a body. Skips private classes."""
+        if node.name.startswith("_"):
+            return None
         self.generic_visit(node)
         node.body = node.body or [ast.Expr(ast.Constant(...))]
         return node
@@ -159,7 +161,8 @@ class Overloads(ast.NodeTransformer):
         if node.name.startswith("_") and not node.name.startswith("__"):
             return None
         node.body = [ast.Expr(ast.Constant(...))]
-        for argument in [*node.args.args, *node.args.kwonlyargs]:
+        others = filter(None, (node.args.vararg, node.args.kwarg))
+        for argument in [*node.args.args, *node.args.kwonlyargs, *others]:
             if argument.arg not in ("self", "cls"):
                 argument.annotation = argument.annotation or ast.Name("Any")
         node.returns = node.returns or ast.Name("Any")

@@ -7,18 +7,16 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any, List, Optional, Union
 
 import numpy as np
-from vtkmodules.vtkCommonDataModel import vtkPolyData
 
-from . import arguments, meshes
-from .errors import VTKError, run
-from .graph_info import CONSTRUCTIONS, MESH_CONSTRUCTIONS, GraphInfo, damaged, set_merging
+from . import _kernel, arguments, meshes
+from .errors import Error, call, warn
+from .graph_info import MESH_CONSTRUCTIONS, GraphInfo, arrays_of, damaged, merging
 from .queries import Queries
-from .results import Isoline, Loop, array_of, lines_of
-from .surface import shallow_copy
-from .vtkDGGFiltersGeodesic import vtkApolloniusIsolines, vtkDGGLoop, vtkDiscreteGeodesicGraph
+from .results import Isoline, Loop, lines_of
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
+    from vtkmodules.vtkCommonDataModel import vtkPolyData
 
     from .arguments import SurfacePointsLike
 
@@ -68,14 +66,13 @@ class Graph(Queries):
         when an accuracy is out of range; when another argument is not of the type above
         (`number_of_neighbors` is an integer of 32 bits); when the graph on the mesh is damaged
         and none of its parameters is given.
-    VTKError
-        When the filter refuses the input: a mesh without triangles, a graph that would take more
-        memory than `memory_limit`.
+    Error
+        When the mesh has no triangles, or the graph would take more memory than `memory_limit`.
 
     See Also
     --------
-    vtkDiscreteGeodesicGraph, vtkDGGDistance, vtkGeodesicDistanceMatrix, vtkDGGPath : the filters
-        that do the work, with further options.
+    vtkDiscreteGeodesicGraph, vtkDGGDistance, vtkGeodesicDistanceMatrix, vtkDGGPath : filters with
+        further options.
 
     Examples
     --------
@@ -107,33 +104,31 @@ class Graph(Queries):
                 f"accuracy={triangles}"
             )
         surface, _ = meshes.take(points, triangles)
-        if surface.GetNumberOfPoints() == 0:
+        if surface.number_of_points == 0:
             raise ValueError("points: expected at least one, got none")
-        info = None
-        if accuracy is None and construction is None and number_of_neighbors is None:
-            info = GraphInfo.find(surface)
-            if info is not None and not info.is_cloud:
-                accuracy, construction = info.accuracy, CONSTRUCTIONS[info.construction]
-                number_of_neighbors = info.number_of_neighbors or None
+        options = {}
+        if accuracy is not None:
+            options["accuracy"] = arguments.accuracy(accuracy)
         if construction not in (None, *MESH_CONSTRUCTIONS):
             known = ", ".join(MESH_CONSTRUCTIONS)
             raise ValueError(f"construction: expected one of {known}, got {construction!r}")
-        builder = vtkDiscreteGeodesicGraph()
-        if accuracy is not None:
-            builder.SetAccuracy(arguments.accuracy(accuracy))
         if construction is not None:
-            builder.SetConstruction(CONSTRUCTIONS.index(construction))
+            options["construction"] = construction
         if number_of_neighbors is not None:
             count = arguments.integer(number_of_neighbors, "number_of_neighbors")
-            builder.SetNumberOfNeighbors(count)
-        builder.SetMemoryLimit(arguments.number_of_bytes(memory_limit, "memory_limit"))
-        set_merging(builder, merge_coincident_points, merge_tolerance, info)
-        try:
-            self._build(builder, surface, builder.GetInputGraphDamage if info else None)
-        except VTKError:
-            if not (info and builder.GetInputGraphDamage()):
-                raise
-            raise damaged(builder.GetInputGraphDamage()) from None
+            options["number_of_neighbors"] = count
+        limit = arguments.number_of_bytes(memory_limit, "memory_limit")
+        info = GraphInfo.find(surface.field_data)
+        info = None if info is not None and info.is_cloud else info
+        how = merging(merge_coincident_points, merge_tolerance, None if options else info)
+        issued = set()
+        prepared = surface.prepared(*how, issued=issued)
+        graph = _stored(surface, prepared, info, options, issued)
+        is_stored = graph is not None
+        if not is_stored:
+            options = options or (info.options if info is not None else {})
+            graph = call(_kernel.Graph, prepared, issued=issued, memory_limit=limit, **options)
+        self._take(surface.copy(), graph, limit, is_stored, issued)
 
     @classmethod
     def from_polydata(cls, polydata: vtkPolyData, *, memory_limit: Optional[int] = None) -> Graph:
@@ -154,9 +149,10 @@ class Graph(Queries):
         ValueError
             When there are no points, no graph, or a damaged one.
         """
-        if not isinstance(polydata, vtkPolyData):
+        if not meshes.is_vtk(polydata, "vtkPolyData"):
             raise TypeError(f"polydata: expected a vtkPolyData, got {type(polydata).__name__}")
-        if GraphInfo(polydata).is_cloud:
+        surface, _ = meshes.take(polydata)
+        if GraphInfo(surface.field_data).is_cloud:
             raise ValueError("polydata: its graph is that of a point cloud: see vtkdgg.CloudGraph")
         return cls(polydata, memory_limit=memory_limit)
 
@@ -195,7 +191,7 @@ class Graph(Queries):
 
         Raises
         ------
-        ValueError, VTKError
+        ValueError, Error
             As for `distance`.
         """
         array = arguments.numbers(values, "values")
@@ -211,9 +207,11 @@ class Graph(Queries):
             array = arguments.finite_numbers(values, "values", array.size)
         field = self._field(sources, initial_distances, projection_tolerance)
         if is_number:
-            array = even_values(array_of(field.GetPointData(), "GeodesicDistance"), count)
-        output = find_isolines(field, array, False, self._info, self._issued)
-        return output if as_polydata else lines_of(output, Isoline, value="IsoValue")
+            array = even_values(field.point_data["GeodesicDistance"], count)
+        lines = find_isolines(self._prepared, field, array, self._issued)
+        if as_polydata:
+            return self._polydata(lines)
+        return lines_of(lines, Isoline, value="IsoValue")
 
     def loop(
         self,
@@ -247,31 +245,36 @@ class Graph(Queries):
 
         Raises
         ------
-        ValueError, VTKError
-            As for `distance`; a VTKError also for a rope of fewer than three different points, or
+        ValueError, Error
+            As for `distance`; an Error also for a rope of fewer than three different points, or
             handles of a surface with edges of more than two triangles.
         """
-        tie = self._filter(vtkDGGLoop, projection_tolerance)
-        if points is not None:
-            arguments.set_points(tie, "Point", self._points(points, "points"))
-            tie.SetMode(tie.Rope if rope else tie.ThroughPoint)
-        elif rope:
-            raise ValueError("points: expected points for a rope, got none")
-        else:
-            tie.SetModeToAroundHandles()
-        tie.SetTaut(bool(taut))
-        output = run(tie, self._issued)
+        loops = self._loops(points, rope, taut, projection_tolerance)
         if as_polydata:
-            return self._detached(tie)
-        return lines_of(output, Loop, length="Length", angle="Angle")
+            return self._polydata(loops)
+        return lines_of(loops, Loop, length="Length", angle="Angle")
+
+    def _loops(self, points, rope, taut, projection_tolerance):
+        """Returns closed geodesics as a result of the kernel."""
+        if points is None and rope:
+            raise ValueError("points: expected points for a rope, got none")
+        mode = "AroundHandles" if points is None else "Rope" if rope else "ThroughPoint"
+        loops, _ = self._call(
+            _kernel.loops,
+            self._graph,
+            None if points is None else self._points(points, "points").in_kernel(),
+            mode=mode,
+            taut=bool(taut),
+            projection_tolerance=arguments.projection_tolerance(projection_tolerance),
+        )
+        return loops
 
     def _field(self, sources, initial_distances, projection_tolerance):
-        """Returns the surface with distances and what find_isolines() needs."""
-        search = self._search(sources, True, None, initial_distances, projection_tolerance)
-        search.SetUnreachedValue(np.nan)
-        search.GenerateVirtualSourceOn()
-        # The next query replaces the output of the filter.
-        return shallow_copy(run(search, self._issued))
+        """Returns distances with virtual sources, as find_isolines() needs, as a result of the
+        kernel."""
+        return self._distance(
+            sources, None, initial_distances, projection_tolerance, generate_virtual_source=True
+        )
 
 
 def even_values(distances, count):
@@ -280,12 +283,33 @@ def even_values(distances, count):
     return largest * np.arange(1, count + 1) / (count + 1)
 
 
-def find_isolines(field, values, merge_coincident_points, info=None, issued=None):
-    """Returns the isolines of a surface with distances and virtual sources or windows. `info` is
-    that of the graph of the distances."""
-    contour = vtkApolloniusIsolines()
-    set_merging(contour, merge_coincident_points, 0.0, info)
-    contour.SetInputData(field)
-    for i, value in enumerate(values):
-        contour.SetValue(i, value)
-    return run(contour, issued)
+def find_isolines(prepared, field, values, issued=None):
+    """Returns the isolines of a result of the kernel with distances and with virtual sources or
+    windows."""
+    lines, _, _ = call(
+        _kernel.isolines,
+        prepared,
+        field.point_data["GeodesicDistance"],
+        virtual_sources=field.point_data.get("GeodesicVirtualSource"),
+        field_data=field.field_data,
+        values=values,
+        issued=issued,
+    )
+    return lines
+
+
+def _stored(surface, prepared, info, options, issued):
+    """Returns the graph on the surface; None if there is none, or if `options` ask for another one.
+    A graph that cannot be used causes a warning. `info` has its parameters if they are readable."""
+    arrays = arrays_of(surface.field_data)
+    if not arrays or (info is not None and not info.is_asked_for(options)):
+        return None
+    try:
+        return call(_kernel.Graph.from_arrays, prepared, arrays)
+    except Error as error:
+        if error.reason == "OutOfMemory":
+            raise
+        if error.reason == "DamagedGraph" and info is not None and not options:
+            raise damaged(str(error)) from None
+        warn([f"{error} Another one is built."], issued)
+        return None

@@ -1,24 +1,21 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A graph in arrays, and the filters that search it."""
+"""A graph in arrays."""
 
 from __future__ import annotations
 
-import threading
 from typing import TYPE_CHECKING, Any, Optional
 
-import numpy as np
-from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonDataModel import vtkPolyData
-
-from . import arguments
+from . import _kernel, arguments
 from .checks import counted
-from .errors import run
-from .graph_info import ARRAYS, CONSTRUCTIONS, GraphInfo
-from .surface import from_arrays, shallow_copy, to_arrays
+from .errors import call
+from .graph_info import CONSTRUCTIONS, PREFIX, GraphInfo, arrays_of
+from .surface import Surface
 
 if TYPE_CHECKING:
+    import numpy as np
     from numpy.typing import NDArray
+    from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 
 class GraphData:
@@ -44,7 +41,7 @@ class GraphData:
     @property
     def points(self) -> NDArray[Any]:
         """Coordinates, shape (n, 3). A read-only view."""
-        return _read_only(self._surface.GetPoints().GetData())
+        return self._prepared.points
 
     @property
     def offsets(self) -> NDArray[np.int64]:
@@ -52,22 +49,22 @@ class GraphData:
 
         A read-only view, as are `targets` and `lengths`.
         """
-        return self._array("Offsets")
+        return self._arrays[PREFIX + "Offsets"]
 
     @property
     def targets(self) -> NDArray[np.int32]:
         """int32, shape (m,): point id of the end of each directed edge. Rows are not sorted."""
-        return self._array("Targets")
+        return self._arrays[PREFIX + "Targets"]
 
     @property
     def lengths(self) -> NDArray[Any]:
         """float32 (float64 below an accuracy of 1e-5), shape (m,): lengths of edges, rounded up."""
-        return self._array("Lengths")
+        return self._arrays[PREFIX + "Lengths"]
 
     @property
     def number_of_points(self) -> int:
         """Number of points, n."""
-        return self._surface.GetNumberOfPoints()
+        return self._surface.number_of_points
 
     @property
     def accuracy(self) -> Optional[float]:
@@ -97,8 +94,7 @@ class GraphData:
     @property
     def nbytes(self) -> int:
         """Bytes of the arrays of the graph."""
-        names = (name for name in ARRAYS if self._surface.GetFieldData().HasArray(f"DGG.{name}"))
-        return sum(self._array(name).nbytes for name in names)
+        return sum(array.nbytes for array in self._arrays.values())
 
     @property
     def polydata(self) -> vtkPolyData:
@@ -107,7 +103,7 @@ class GraphData:
         It has all other data of the input mesh. Arrays are shared with this object and must not be
         changed in place.
         """
-        return shallow_copy(self._surface)
+        return self._polydata()
 
     def __repr__(self) -> str:
         kind = self.construction
@@ -119,9 +115,8 @@ class GraphData:
         return f"<vtkdgg.{type(self).__name__}: {size}, {kind}, {self.nbytes / 2**20:.1f} MiB>"
 
     def __getstate__(self):
-        # Without filters, which repeat their preparation.
         return {
-            "surface": to_arrays(self._surface),
+            "surface": self._surface.state(self._arrays),
             "memory_limit": self._memory_limit,
             "heard": self._issued,  # the key in older pickles
             "used_input_graph": self._used_input_graph,
@@ -130,54 +125,36 @@ class GraphData:
     def __setstate__(self, state):
         # Version 1.0.0 did not store the origin of the graph.
         used_input_graph = state.get("used_input_graph", False)
-        surface = from_arrays(state["surface"])
-        self._take(surface, state["memory_limit"], used_input_graph, state["heard"])
+        surface = Surface.from_state(state["surface"])
+        info = GraphInfo(surface.field_data)
+        issued = set(state["heard"])
+        prepared = surface.prepared(info.is_merged, info.merge_tolerance, info.is_cloud, issued)
+        graph = call(_kernel.Graph.from_arrays, prepared, arrays_of(surface.field_data))
+        self._take(surface, graph, state["memory_limit"], used_input_graph, issued)
 
-    def _build(self, builder, surface, refused=None):
-        """Runs a builder, which may find the graph on the surface; `refused` as for run()."""
-        issued = set()  # warnings already issued, which filters repeat
-        builder.SetInputData(surface)
-        output = shallow_copy(run(builder, issued, refused))  # the builder keeps much more
-        self._take(output, builder.GetMemoryLimit(), builder.GetGraphBuildTime() == 0, issued)
-
-    def _take(self, surface, memory_limit, used_input_graph, issued=()):
-        """Uses the graph in the field data of a surface."""
-        self._issued = set(issued)
+    def _take(self, surface, graph, memory_limit, used_input_graph, issued):
+        """Uses a graph of the kernel, which belongs to a surface."""
+        self._surface = surface
+        self._prepared, self._graph = graph.surface, graph
+        self._arrays = graph.arrays
+        self._info = GraphInfo(self._arrays)
         self._memory_limit = memory_limit
         self._used_input_graph = used_input_graph
-        self._local = threading.local()
-        self._surface = surface
-        self._info = GraphInfo(surface)
+        self._issued = issued  # warnings already issued, which are not repeated
 
-    @property
-    def _filters(self):
-        """Filters of this thread. Other threads have their own, with other sources."""
-        return self._local.__dict__
+    def _call(self, function, *arguments, **options):
+        """Calls a function of the kernel within the memory limit of the graph."""
+        return call(
+            function, *arguments, issued=self._issued, memory_limit=self._memory_limit, **options
+        )
 
-    def _filter(self, kind, tolerance):
-        """Returns the filter of a class, which keeps its preparation for the next query."""
-        filters = self._filters
-        if kind not in filters:
-            consumer = kind()
-            consumer.SetMergeCoincidentPoints(self._info.is_merged)
-            consumer.SetMergeTolerance(self._info.merge_tolerance)
-            consumer.SetMemoryLimit(self._memory_limit)
-            consumer.SetInputData(self._surface)
-            filters[kind] = consumer
-        consumer = filters[kind]
-        consumer.SetProjectionTolerance(arguments.projection_tolerance(tolerance))
-        return consumer
+    def _polydata(self, result=None):
+        """Returns the surface with its graph, or the output of a function of the kernel."""
+        return self._surface.polydata(result, self._arrays)
 
     def _points(self, values, name):
         """Returns the points as `SurfacePoints`."""
         return arguments.surface_points(values, name, self._surface, self.is_cloud)
-
-    @staticmethod
-    def _detached(algorithm, port=0):
-        """Returns a copy of the output, which the next query replaces."""
-        result = shallow_copy(algorithm.GetOutputDataObject(port))
-        algorithm.Modified()
-        return result
 
     @staticmethod
     def _csr_matrix(who, remedy=""):
@@ -189,12 +166,3 @@ class GraphData:
                 f"install scipy){remedy}"
             ) from error
         return csr_matrix
-
-    def _array(self, name):
-        return _read_only(self._surface.GetFieldData().GetArray(f"DGG.{name}"))
-
-
-def _read_only(array):
-    view = vtk_to_numpy(array)
-    view.flags.writeable = False
-    return view

@@ -3,11 +3,11 @@
 """The graph in the field data of a surface, as vtkDiscreteGeodesicGraph documents it."""
 
 import numpy as np
-from vtkmodules.util.numpy_support import vtk_to_numpy
 
-from . import arguments
+from . import _kernel, arguments
+from .errors import Error, call, warn
 
-ARRAYS = ("Offsets", "Targets", "Lengths", "Angles", "ArrivalAngles", "Info")
+PREFIX = "DGG."
 # By the numbers in DGG.Info: those of vtkDiscreteGeodesicGraph, then those of vtkPointCloudDGG.
 MESH_CONSTRUCTIONS = ("Guaranteed", "OneRelay", "Indirect", "SaddleVertexGraph")
 SCHEMES = ("A", "B", "C")
@@ -24,9 +24,14 @@ def damaged(what):
     )
 
 
-def has_graph(polydata):
-    """Returns true if there are arrays of a graph, which may be damaged."""
-    return any(polydata.GetFieldData().HasArray(f"DGG.{name}") for name in ARRAYS)
+def arrays_of(field_data):
+    """Returns the arrays of a graph, which may be damaged, as read-only views by name."""
+    found = {}
+    for name, values in field_data.items():
+        if name.startswith(PREFIX):
+            found[name] = values.view()
+            found[name].flags.writeable = False
+    return found
 
 
 class GraphInfo:
@@ -48,14 +53,13 @@ class GraphInfo:
         Largest distance of merged points, as a fraction of the diagonal.
     """
 
-    def __init__(self, polydata):
-        array = polydata.GetFieldData().GetArray("DGG.Info")
-        if array is None:
+    def __init__(self, field_data):
+        values = field_data.get("DGG.Info")
+        if values is None:
             raise ValueError(
                 "polydata: there is no graph in its field data; take the output of "
                 "vtkDiscreteGeodesicGraph"
             )
-        values = vtk_to_numpy(array)
         if values.dtype != np.int64 or values.shape != (_SIZE,) or values[0] != _VERSION:
             raise ValueError(
                 "polydata: its graph has a DGG.Info of another version, or is damaged; rebuild it "
@@ -81,10 +85,10 @@ class GraphInfo:
             raise damaged(f"its merge tolerance is {self.merge_tolerance}")
 
     @classmethod
-    def find(cls, polydata):
-        """Returns the parameters of the graph on a surface, None without a readable one."""
+    def find(cls, field_data):
+        """Returns the parameters of a graph, None without a readable one."""
         try:
-            return cls(polydata)
+            return cls(field_data)
         except ValueError:
             return None
 
@@ -92,6 +96,22 @@ class GraphInfo:
     def is_guaranteed(self):
         """True if `accuracy` bounds all distances in the graph."""
         return CONSTRUCTIONS[self.construction] == "Guaranteed"
+
+    @property
+    def options(self):
+        """Options of the kernel to build such a graph of a mesh."""
+        options = {"construction": CONSTRUCTIONS[self.construction]}
+        if self.accuracy is not None:
+            options["accuracy"] = self.accuracy
+        if self.number_of_neighbors:
+            options["number_of_neighbors"] = self.number_of_neighbors
+        return options
+
+    def is_asked_for(self, options):
+        """Returns true if the graph is one that these options ask for; any graph without options."""
+        defaults = {"construction": "Guaranteed", "accuracy": 0.01, "number_of_neighbors": 30}
+        wanted = {**defaults, **options}
+        return not options or all(wanted[key] == value for key, value in self.options.items())
 
     def keeps(self, accuracy):
         """Returns true if the graph promises this accuracy."""
@@ -103,10 +123,11 @@ def choose_method(method, accuracy, surface, methods):
 
     By default a graph is used if the surface has one or an accuracy is given.
     """
-    info = GraphInfo.find(surface)
+    info = GraphInfo.find(surface.field_data)
     if method is None:
-        # Filters warn of a graph that they cannot use.
-        method = "graph" if accuracy is not None or has_graph(surface) else "exact"
+        # A graph that cannot be used causes a warning.
+        has_graph = bool(arrays_of(surface.field_data))
+        method = "graph" if accuracy is not None or has_graph else "exact"
     if not isinstance(method, str) or method not in methods:
         raise ValueError(f"method: expected one of {', '.join(map(repr, methods))}, got {method!r}")
     if accuracy is not None and method != "graph":
@@ -119,17 +140,38 @@ def choose_method(method, accuracy, surface, methods):
     return method, info if method == "graph" else None
 
 
-def set_up(algorithm, surface, is_merged, merge_tolerance, projection_tolerance, info=None):
-    """Sets the input of a filter, and the arguments that functions of surfaces have in common."""
-    algorithm.SetInputData(surface)
-    set_merging(algorithm, is_merged, merge_tolerance, info)
-    algorithm.SetProjectionTolerance(arguments.projection_tolerance(projection_tolerance))
-
-
-def set_merging(algorithm, coincident_points, tolerance, info=None):
-    """Sets how a filter merges points; by default as the graph of its input, if there is one."""
+def merging(is_merged, tolerance, info=None):
+    """Returns how points are merged: as given, or else as in the graph with these parameters."""
     tolerance = arguments.limit(tolerance, "merge_tolerance")
-    if info is not None and info.is_merged and not coincident_points:
-        coincident_points, tolerance = True, info.merge_tolerance
-    algorithm.SetMergeCoincidentPoints(bool(coincident_points))
-    algorithm.SetMergeTolerance(tolerance)
+    if info is not None and info.is_merged and not is_merged:
+        return True, info.merge_tolerance
+    return bool(is_merged), tolerance
+
+
+def find_or_build(surface, prepared, accuracy=None, issued=None):
+    """Returns the graph of the kernel for the arrays on a surface, or else builds one.
+
+    A graph that cannot be used, or is coarser than the accuracy, causes a warning. The graph of a
+    cloud cannot be built here: an error states why it cannot be used.
+    """
+    wanted = 0.01 if accuracy is None else accuracy
+    arrays = arrays_of(surface.field_data)
+    if arrays or prepared.is_cloud:
+        try:
+            graph = call(_kernel.Graph.from_arrays, prepared, arrays)
+        except Error as error:
+            if prepared.is_cloud or error.reason == "OutOfMemory":
+                raise
+            warn([f"{error} A graph with `accuracy` {wanted:g} replaces it."], issued)
+        else:
+            is_enough = prepared.is_cloud or GraphInfo(arrays).keeps(wanted)
+            if accuracy is not None and not is_enough:
+                has = f"has the accuracy {graph.accuracy:g}"
+                reason = has if graph.is_guaranteed else "guarantees no accuracy"
+                texts = [
+                    f"The graph on the mesh {reason}, but `accuracy` is {wanted:g}. Build a graph "
+                    "with this `accuracy`, or remove the graph."
+                ]
+                warn(texts, issued)
+            return graph
+    return call(_kernel.Graph, prepared, accuracy=wanted, issued=issued)

@@ -4,16 +4,14 @@
 
 from __future__ import annotations
 
+import functools
 from typing import TYPE_CHECKING, Any, Optional, Tuple
 
 import numpy as np
-from vtkmodules.util.numpy_support import vtk_to_numpy
 
 from . import arguments
-from .errors import run
 from .graph_data import GraphData
 from .progress import Bar, Part
-from .vtkDGGFiltersGeodesic import vtkGeodesicDistanceMatrix
 
 if TYPE_CHECKING:
     from numpy.typing import DTypeLike, NDArray
@@ -65,8 +63,8 @@ class Matrices(GraphData):
 
         Raises
         ------
-        ValueError, VTKError
-            As for `distance`; a VTKError also when the matrix, or a block of it, would take more
+        ValueError, Error
+            As for `distance`; an Error also when the matrix, or a block of it, would take more
             memory than `memory_limit`.
         """
         unreached = arguments.number(unreached, "unreached")
@@ -77,22 +75,21 @@ class Matrices(GraphData):
         if out is not None:
             _check_out(out, shape, dtype)
         dtype = np.dtype(np.float64 if dtype is None else dtype)
-        tabulate = self._filter(vtkGeodesicDistanceMatrix, projection_tolerance)
-        tabulate.CompressedRowsOff()
-        tabulate.GenerateTableOff()
-        tabulate.SetMaximumDistance(np.inf)
-        tabulate.SetUnreachedValue(unreached)
+        options = {
+            "unreached_value": unreached,
+            "projection_tolerance": arguments.projection_tolerance(projection_tolerance),
+        }
         if out is None and dtype == np.float64:
-            return self._block(tabulate, rows, columns)
+            return self._block(rows, columns, **options)
         out = np.empty(shape, dtype) if out is None else out
         step = max(1, _BLOCK // shape[1])
         bar = Bar()
         try:
             for first in range(0, len(rows), step):
                 last = min(first + step, len(rows))
-                part = Part(bar, first / len(rows), last / len(rows))
+                part = functools.partial(Part, bar, first / len(rows), last / len(rows))
                 others = rows[first:] if columns is None else columns
-                block = self._block(tabulate, rows[first:last], others, part)
+                block = self._block(rows[first:last], others, bar=part, **options)
                 if columns is not None:
                     out[first:last] = block
                     continue
@@ -136,7 +133,7 @@ class Matrices(GraphData):
         ------
         ImportError
             When SciPy is not installed.
-        ValueError, VTKError
+        ValueError, Error
             As for `matrix`.
 
         See Also
@@ -184,7 +181,7 @@ class Matrices(GraphData):
 
         Raises
         ------
-        ValueError, VTKError
+        ValueError, Error
             As for `distance`.
         """
         point = arguments.surface_point(source, "source", self._surface, self.is_cloud)
@@ -193,35 +190,20 @@ class Matrices(GraphData):
         order = np.argsort(distances, kind="stable")
         return ids[order].astype(np.intp), distances[order]
 
-    def _block(self, tabulate, rows, columns, part=None):
+    def _block(self, rows, columns, **options):
         """Returns the distances between two sets of points, or between all pairs of one set."""
-        arguments.set_points(tabulate, "Row", rows)
-        arguments.set_points(tabulate, "Column", columns)
-        run(tabulate, self._issued, bar=(lambda: part) if part else Bar)
-        matrix = tabulate.GetMatrix()
-        shape = matrix.GetNumberOfTuples(), matrix.GetNumberOfComponents()
-        tabulate.ReleaseMatrix()  # the next call makes another one
-        return vtk_to_numpy(matrix).reshape(shape)
+        columns = None if columns is None else columns.in_kernel()
+        return self._call(self._graph.matrix, rows.in_kernel(), columns, **options)
 
     def _rows(self, rows, radius, correction, tolerance):
         """Returns offsets, columns and distances of compressed rows."""
-        tabulate = self._filter(vtkGeodesicDistanceMatrix, tolerance)
-        tabulate.CompressedRowsOn()
-        tabulate.SetCorrection(correction)
-        tabulate.SetMaximumDistance(radius)
-        arguments.set_points(tabulate, "Row", rows)
-        arguments.set_points(tabulate, "Column", None)
-        table = run(tabulate, self._issued)
-        arrays = [
-            vtk_to_numpy(array)
-            for array in (
-                table.GetFieldData().GetArray("RowOffsets"),
-                table.GetColumnByName("Column"),
-                table.GetColumnByName("GeodesicDistance"),
-            )
-        ]
-        tabulate.ReleaseMatrix()
-        return arrays
+        return self._call(
+            self._graph.neighborhood,
+            rows.in_kernel(),
+            maximum_distance=radius,
+            correction=correction,
+            projection_tolerance=arguments.projection_tolerance(tolerance),
+        )
 
 
 def _floating_point(dtype):

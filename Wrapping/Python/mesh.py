@@ -110,9 +110,9 @@ class Mesh:
 
     def as_polydata(self) -> vtkPolyData:
         """Returns a new vtkPolyData with copies of all arrays, for filters and writers."""
-        from .surface import polydata_of  # which imports VTK
+        from .surface import Surface  # which imports this module
 
-        return polydata_of(self)
+        return Surface.of(self).polydata()
 
     def __repr__(self) -> str:
         counts = {"line": len(self.lines[0]) - 1, "polygon": len(self.polygons[0]) - 1}
@@ -166,6 +166,11 @@ def _polygons(cells):
         if array.ndim == 2:
             if array.shape[1] < 3:
                 raise ValueError(f"triangles: expected the shape (m, 3), got {array.shape}")
+            if array.shape[1] == 4 and len(array) > 8 and (array[:, 0] == 3).all():
+                raise ValueError(
+                    "triangles: every row of four begins with 3, as rows of VTK do; pass the other "
+                    "three columns"
+                )
             return np.arange(len(array) + 1) * array.shape[1], array
         if array.ndim != 1:
             raise ValueError(f"triangles: expected the shape (m, 3), got {array.shape}")

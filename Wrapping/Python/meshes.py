@@ -1,28 +1,21 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Meshes of other packages, and their conversion to vtkPolyData.
+"""Meshes of other packages, and their conversion to `Surface`.
 
 Points and cells are copied, so that changes made afterwards, even by another thread, do not affect
-what is computed.
+what is computed. VTK is imported for objects of VTK only, and for volume cells.
 """
 
 import os
 
 import numpy as np
-from vtkmodules import vtkCommonDataModel as vtk
-from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonDataModel import (
-    vtkCompositeDataSet,
-    vtkDataObject,
-    vtkPointSet,
-    vtkPolyData,
-)
 
 from . import arguments
 from .data_set import DataSet
+from .errors import needing_vtk
 from .mesh import Mesh
 from .reading import read
-from .surface import copy_surface, grid_of, surface_of
+from .surface import Surface
 
 # Attributes of points and cells; the first pair that an object has is used.
 LAYOUTS = (
@@ -38,24 +31,26 @@ LAYOUTS = (
 )
 
 
-# Names of meshio and types of VTK for cells of two and three dimensions.
+# Names of meshio for cells of two and three dimensions, and their numbers in VTK.
 CELL_TYPES = {
-    "triangle": vtk.VTK_TRIANGLE,
-    "triangle6": vtk.VTK_QUADRATIC_TRIANGLE,
-    "quad": vtk.VTK_QUAD,
-    "quad8": vtk.VTK_QUADRATIC_QUAD,
-    "polygon": vtk.VTK_POLYGON,
-    "tetra": vtk.VTK_TETRA,
-    "tetra10": vtk.VTK_QUADRATIC_TETRA,
-    "pyramid": vtk.VTK_PYRAMID,
-    "wedge": vtk.VTK_WEDGE,
-    "hexahedron": vtk.VTK_HEXAHEDRON,
-    "hexahedron20": vtk.VTK_QUADRATIC_HEXAHEDRON,
+    "triangle": 5,
+    "triangle6": 22,
+    "quad": 9,
+    "quad8": 23,
+    "polygon": 7,
+    "tetra": 10,
+    "tetra10": 24,
+    "pyramid": 14,
+    "wedge": 13,
+    "hexahedron": 12,
+    "hexahedron20": 25,
 }
+# Those that are polygons.
+_FLAT = ("triangle", "quad", "polygon")
 
 
 def take(mesh, cells=None, **named):
-    """Returns the surface as a new vtkPolyData, and the arguments that follow the mesh.
+    """Returns the mesh as a `Surface`, and the arguments that follow it.
 
     The mesh is one object, or an array of points with `cells`. With one object `cells` is the first
     of the arguments that follow. A missing argument is None.
@@ -91,7 +86,7 @@ def take(mesh, cells=None, **named):
 
 def opened(mesh):
     """Returns a Mesh, a vtkDataObject or a pair (points, cells); None for an array of points."""
-    if isinstance(mesh, (Mesh, vtkDataObject)):
+    if isinstance(mesh, Mesh) or is_vtk(mesh):
         return mesh
     if isinstance(mesh, (str, os.PathLike)):
         return read(mesh)
@@ -99,9 +94,12 @@ def opened(mesh):
         return None
     if isinstance(mesh, (list, tuple)):
         return tuple(mesh) if len(mesh) == 2 and _is_table(mesh[0]) else None
+    if hasattr(mesh, "neighborhood"):
+        name = type(mesh).__name__
+        raise ValueError(f"points: expected a mesh, got a vtkdgg.{name}; call a method of the graph")
     if hasattr(mesh, "to_mesh"):  # a scene of trimesh
         return opened(mesh.to_mesh())
-    if isinstance(getattr(mesh, "dataset", None), vtkDataObject):  # vedo
+    if is_vtk(getattr(mesh, "dataset", None)):  # vedo
         return mesh.dataset
     for layout in LAYOUTS:
         points, cells = (None if path is None else _attribute(mesh, path) for path in layout)
@@ -118,28 +116,33 @@ def opened(mesh):
     return None
 
 
+def is_vtk(mesh, kind="vtkDataObject"):
+    """Returns true for an object of a class of VTK, whatever VTK it comes from."""
+    return hasattr(mesh, "IsA") and bool(mesh.IsA(kind))
+
+
 def _is_table(points):
     """Returns true for a sequence of points, which may be empty."""
     return np.ndim(points) == 2 or np.ndim(points) == 1 and len(points) == 0
 
 
 def cloud_of(mesh, name="points"):
-    """Returns a new vtkPolyData of a cloud, with the arrays of a vtkPolyData or Mesh."""
+    """Returns a cloud as a `Surface`, with the arrays of a vtkPolyData or Mesh."""
     found = opened(mesh)
-    if isinstance(found, vtkPolyData):
-        return copy_surface(found)
-    if isinstance(found, Mesh):
-        return found.as_polydata()
-    return arguments.polydata(points_of(mesh if found is None else found, name))
+    if isinstance(found, Mesh) or is_vtk(found, "vtkPolyData"):
+        return _surface(found)
+    return Surface.of_points(points_of(mesh if found is None else found, name))
 
 
 def points_of(mesh, name="points"):
     """Returns the coordinates of a mesh, cloud or array, shape (n, 3)."""
     found = opened(mesh)
-    if isinstance(found, vtkDataObject):
+    if is_vtk(found):
+        from . import vtk_data
+
         if not hasattr(found, "GetPoints"):
             raise ValueError(f"{name}: a {found.GetClassName()} has no points")
-        found = vtk_to_numpy(found.GetPoints().GetData()) if found.GetPoints() else []
+        found = vtk_data.coordinates_of(found) if found.GetPoints() else []
     elif isinstance(found, Mesh):
         found = found.points
     elif found is not None:
@@ -148,7 +151,7 @@ def points_of(mesh, name="points"):
 
 
 def from_arrays(points, cells):
-    """Returns a new vtkPolyData of points and polygons. Points of polygons must be finite."""
+    """Returns a `Surface` of points and polygons. Points of polygons must be finite."""
     mesh = Mesh(points, cells)
     offsets, corners = mesh.polygons
     bad = np.flatnonzero(~np.isfinite(mesh.points[corners]).all(axis=1))
@@ -158,21 +161,23 @@ def from_arrays(points, cells):
         raise ValueError(
             f"points: row {row} is not finite: {mesh.points[row]}; polygon {polygon} uses it"
         )
-    return mesh.as_polydata()
+    return Surface.of(mesh)
 
 
 def _surface(found):
-    """Returns a new vtkPolyData for a result of opened()."""
+    """Returns a `Surface` for a result of opened()."""
     if isinstance(found, Mesh):
-        return found.as_polydata()
+        return Surface.of(found)
     if isinstance(found, tuple):
         return from_arrays(*found)
-    if isinstance(found, vtkPolyData):
-        return copy_surface(found)
-    if isinstance(found, vtkPointSet):
-        return copy_surface(surface_of(found, "The mesh"))
+    if is_vtk(found, "vtkPointSet"):
+        from . import vtk_data
+
+        is_surface = is_vtk(found, "vtkPolyData")
+        polydata = found if is_surface else vtk_data.surface_of(found, "The mesh")
+        return Surface(vtk_data.data_set_of(polydata), vtk_data.shallow_copy(polydata))
     remedy = "vtkDataSetSurfaceFilter extracts one"
-    if isinstance(found, vtkCompositeDataSet):
+    if is_vtk(found, "vtkCompositeDataSet"):
         remedy = "pass one block, or merge all blocks by vtkCompositeDataGeometryFilter"
     raise ValueError(f"points: expected a surface, got a {found.GetClassName()}; {remedy}")
 
@@ -188,10 +193,11 @@ def _attribute(mesh, path):
 
 
 def _grid(points, blocks):
-    """Returns a vtkUnstructuredGrid of the blocks of meshio, of which each has cells of one type.
-    Points and lines are skipped."""
+    """Returns the blocks of meshio, of which each has cells of one type, as a Mesh of polygons or a
+    vtkUnstructuredGrid. Points and lines are skipped."""
     points = arguments.coordinates(points, "points", is_finite=False)
     types, sizes, corners = [], [], []
+    is_flat = True
     for block in blocks:
         if block.type in ("vertex", "line"):
             continue
@@ -199,14 +205,20 @@ def _grid(points, blocks):
         if kind not in CELL_TYPES:
             known = ", ".join(CELL_TYPES)
             raise ValueError(f"triangles: expected cells of {known}, got {block.type!r}")
+        is_flat = is_flat and kind in _FLAT
         ids = arguments.numbers(block.data, "triangles", "integer")
         types.append(np.full(len(ids), CELL_TYPES[kind]))
         sizes.append(np.full(len(ids), ids.shape[1]))
         corners.append(ids.ravel())
+    if is_flat:
+        offsets = np.cumsum(np.concatenate([[0], *sizes]).astype(np.int64))
+        return Mesh(points, polygons=(offsets, np.concatenate([[], *corners]).astype(np.int64)))
+    with needing_vtk("a mesh of other cells than triangles, quads and polygons"):
+        from . import vtk_data
+
     result = DataSet("UNSTRUCTURED_GRID")
     result.points = points
-    if types:
-        result.types = np.concatenate(types)
-        offsets = np.cumsum(np.concatenate([[0], *sizes]))
-        result.cells["cells"] = offsets, np.concatenate(corners)
-    return grid_of(result)
+    result.types = np.concatenate(types)
+    offsets = np.cumsum(np.concatenate([[0], *sizes]))
+    result.cells["cells"] = offsets, np.concatenate(corners)
+    return vtk_data.grid_of(result)

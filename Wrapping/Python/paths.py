@@ -6,15 +6,10 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any, Optional, Union
 
-import numpy as np
-from vtkmodules.util.numpy_support import vtk_to_numpy
-
-from . import arguments, meshes
-from .errors import VTKError, run
-from .graph_info import choose_method, set_up
+from . import _kernel, arguments, meshes
+from .errors import call
+from .graph_info import choose_method, find_or_build, merging
 from .results import Path, lines_of
-from .surface import cells_of
-from .vtkDGGFiltersGeodesic import vtkDGGPath
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -80,13 +75,13 @@ def path(
     ValueError
         When an array or another argument has the wrong shape or type, a number is not finite, an
         id does not exist, or start and end are not connected by the surface.
-    VTKError
-        When the filter refuses the input, as for coordinates far off the surface.
+    Error
+        When the mesh cannot be used, or a point is far off the surface.
 
     See Also
     --------
     Graph.path : for many calls on one mesh.
-    vtkDGGPath : the filter that does the work, for many pairs of points and on all threads.
+    vtkDGGPath : a filter for many pairs of points.
 
     Examples
     --------
@@ -98,56 +93,39 @@ def path(
     surface, (start, end) = meshes.take(points, triangles, start=start, end=end)
     start = arguments.surface_point(start, "start", surface)
     end = arguments.surface_point(end, "end", surface)
-    finder = vtkDGGPath()
     method, info = choose_method(method, accuracy, surface, ("exact", "graph"))
-    if method == "exact":
-        finder.SetMethodToExact()
-    elif accuracy is not None:
-        finder.SetAccuracy(arguments.accuracy(accuracy))
-    merging = merge_coincident_points, merge_tolerance
-    set_up(finder, surface, *merging, projection_tolerance, info)
-    found = find(finder, start, end)
-    return finder.GetOutput() if as_polydata else found[0]
+    how = merging(merge_coincident_points, merge_tolerance, info)
+    options = {"projection_tolerance": arguments.projection_tolerance(projection_tolerance)}
+    target = surface.prepared(*how, info is not None and info.is_cloud)
+    if method == "graph":
+        accuracy = None if accuracy is None else arguments.accuracy(accuracy)
+        target = find_or_build(surface, target, accuracy)
+    else:
+        options["method"] = "Exact"
+    result = find(target, start, end, **options)
+    return surface.polydata(result) if as_polydata else paths_of(result, 1)[0]
 
 
-def find(finder, starts, ends, issued=None):
-    """Returns the paths between `SurfacePoints` by a filter with its input. The path is None for a
-    pair that the surface does not connect; if it is the only pair, that is an error. `issued` is as
-    for run()."""
-    set_pairs(finder, starts, ends)
-    is_alone = len(starts) == 1
-    try:
-        output = run(finder, issued, (lambda: _is_unconnected(finder)) if is_alone else None)
-    except VTKError:
-        if not (is_alone and _is_unconnected(finder)):
-            raise
-        raise NotConnectedError(
-            "start and end are not connected by the surface; if its components "
-            "have points with equal coordinates, `merge_coincident_points` may join them"
-        ) from None
-    found = [None] * len(starts)
-    if output.GetNumberOfLines() > 0:
-        pairs = vtk_to_numpy(output.GetCellData().GetArray("PairId"))
-        lines = lines_of(output, Path, length="Length", graph_length="GraphLength")
-        for pair, line in zip(pairs, lines):
-            found[pair] = line
+def find(target, starts, ends, issued=None, **options):
+    """Returns the result of the kernel for the paths between `SurfacePoints` on a surface or in a
+    graph. A single pair that the surface does not connect is an error."""
+    pairs = starts.interleaved(ends).in_kernel()
+    check = _require_connection if len(starts) == 1 else None
+    return call(_kernel.paths, target, pairs, issued=issued, check=check, **options)
+
+
+def paths_of(result, count):
+    """Returns the paths of `count` pairs; None for those that the surface does not connect."""
+    found = [None] * count
+    lines = lines_of(result, Path, length="Length", graph_length="GraphLength")
+    for line, pair in zip(lines, result.cell_data["PairId"]):
+        found[pair] = line
     return found
 
 
-def set_pairs(finder, starts, ends):
-    """Sets the pairs of points between which a filter finds paths."""
-    finder.RemoveAllPairs()
-    finder.SetPairData(None)
-    if starts.ids and ends.ids:
-        for pair in zip(starts.ids, ends.ids):
-            finder.AddPair(*pair)
-        return
-    pairs = starts.interleaved(ends).polydata()
-    ids = np.arange(2 * len(starts) + 1)
-    pairs.SetLines(cells_of(ids[::2], ids[:-1]))
-    finder.SetPairData(pairs)
-
-
-def _is_unconnected(finder):
-    status = finder.GetOutput().GetFieldData().GetArray("PathStatus")
-    return status is not None and status.GetNumberOfTuples() > 0 and status.GetValue(0) == 1
+def _require_connection(result):
+    if result.field_data["PathStatus"][0] != 0:
+        raise NotConnectedError(
+            "start and end are not connected by the surface; if its components "
+            "have points with equal coordinates, `merge_coincident_points` may join them"
+        )

@@ -39,7 +39,7 @@ from vtkmodules.vtkRenderingCore import (
 )
 
 from . import writing
-from .surface import (
+from .vtk_data import (
     area_vectors,
     cells_of,
     configured,

@@ -3,7 +3,7 @@
 """``mesh.dgg`` of the meshes of PyVista, and its reader of PCD files.
 
 PyVista 0.48 and newer finds both by the entry points of the installed package, or after this module
-is imported.
+is imported. PolyData and UnstructuredGrid are surfaces or clouds, PointSet is a cloud.
 """
 
 from __future__ import annotations
@@ -34,18 +34,20 @@ class DGGAccessor:
 
     def graph(self, accuracy: Optional[float] = None, **options: Any) -> Any:
         """The `vtkdgg.Graph` of the mesh, or the `vtkdgg.CloudGraph` of points without polygons."""
-        key = (accuracy, tuple(sorted(options.items())), self._mesh.GetMTime())
+        key = (accuracy, repr(sorted(options.items())), self._mesh.GetMTime())
         if key != self._key:
-            if self._mesh.GetNumberOfPolys() + self._mesh.GetNumberOfStrips() > 0:
-                self._graph = Graph(self._mesh, accuracy=accuracy, **options)
-            else:
+            if self._is_cloud():
+                if accuracy is not None:
+                    raise ValueError("accuracy: applies to meshes, not to point clouds")
                 self._graph = CloudGraph(self._mesh, **options)
+            else:
+                self._graph = Graph(self._mesh, accuracy=accuracy, **options)
             self._key = key
         return self._graph
 
     def distance(self, sources: Any, accuracy: Optional[float] = None, **options: Any) -> Any:
         """The mesh with the point array "GeodesicDistance"; see `vtkdgg.distance`."""
-        if accuracy is not None:
+        if accuracy is not None or self._is_cloud():
             return _wrapped(self.graph(accuracy).distance, sources, **options)
         return _wrapped(distances.distance, self._mesh, sources, **options)
 
@@ -124,6 +126,11 @@ class DGGAccessor:
         """A smooth function with given values; see `vtkdgg.interpolate`."""
         return _wrapped(spectral.interpolate, self._mesh, sites, values, **options)
 
+    def _is_cloud(self):
+        if isinstance(self._mesh, pyvista.PolyData):
+            return self._mesh.GetNumberOfPolys() + self._mesh.GetNumberOfStrips() == 0
+        return not isinstance(self._mesh, pyvista.UnstructuredGrid) or not self._mesh.GetNumberOfCells()
+
     def _path(self, start, end, use_scalar_weights, as_polydata):
         if use_scalar_weights:
             raise ValueError("use_scalar_weights: geodesics of a surface have no weights")
@@ -143,7 +150,8 @@ def read_pcd(path: Any, **_: Any) -> Any:
 def register() -> None:
     """Registers the accessor and the reader with versions of PyVista that support this."""
     if hasattr(pyvista, "register_dataset_accessor"):
-        pyvista.register_dataset_accessor("dgg", pyvista.PolyData)(DGGAccessor)
+        for kind in (pyvista.PolyData, pyvista.PointSet, pyvista.UnstructuredGrid):
+            pyvista.register_dataset_accessor("dgg", kind)(DGGAccessor)
     if hasattr(pyvista, "register_reader"):
         pyvista.register_reader(".pcd", read_pcd)
 

@@ -8,19 +8,11 @@ from typing import TYPE_CHECKING, List, Optional, Tuple, Union
 
 import numpy as np
 
-from . import arguments
-from .distances import field_of, set_sources
-from .errors import run
+from . import _kernel, arguments
+from .distances import field_of, field_options
 from .matrices import Matrices
-from .paths import find
-from .results import Path, Samples, Voronoi, array_of, surface_points_of, voronoi_of
-from .surface import coordinates_of
-from .vtkDGGFiltersGeodesic import (
-    vtkDGGDistance,
-    vtkDGGPath,
-    vtkGeodesicSampler,
-    vtkGeodesicVoronoi,
-)
+from .paths import find, paths_of
+from .results import Path, Samples, Voronoi, surface_points_of, voronoi_of
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
@@ -80,16 +72,19 @@ class Queries(Matrices):
         ------
         ValueError
             When an argument has the wrong shape or type, or an id does not exist.
-        VTKError
-            When the filter refuses the input, as for coordinates far off the surface.
+        Error
+            When a point is far off the surface.
         """
-        unreached = arguments.number(unreached, "unreached")
-        search = self._search(
-            sources, correction, maximum_distance, initial_distances, projection_tolerance
+        result = self._distance(
+            sources,
+            maximum_distance,
+            initial_distances,
+            projection_tolerance,
+            unreached_value=arguments.number(unreached, "unreached"),
+            correction=bool(correction),
+            generate_nearest_source=True,
         )
-        search.SetUnreachedValue(unreached)
-        run(search, self._issued)
-        return self._detached(search) if as_polydata else field_of(search, return_source)
+        return self._polydata(result) if as_polydata else field_of(result, return_source)
 
     def path(
         self,
@@ -130,16 +125,11 @@ class Queries(Matrices):
         ValueError
             When an argument has the wrong shape or type, an id does not exist, or start and end are
             not connected by the surface.
-        VTKError
-            When the filter refuses the input, as for coordinates far off the surface.
+        Error
+            When a point is far off the surface.
         """
-        ends = (
-            arguments.surface_point(value, name, self._surface, self.is_cloud)
-            for value, name in ((start, "start"), (end, "end"))
-        )
-        finder = self._path_finder(straighten, detour, projection_tolerance)
-        found = find(finder, *ends, self._issued)
-        return self._detached(finder) if as_polydata else found[0]
+        result = self._path(start, end, straighten, detour, projection_tolerance)
+        return self._polydata(result) if as_polydata else paths_of(result, 1)[0]
 
     def paths(
         self,
@@ -170,7 +160,7 @@ class Queries(Matrices):
 
         Raises
         ------
-        ValueError, VTKError
+        ValueError, Error
             As for `path`.
         """
         sets = [self._points(starts, "starts"), self._points(ends, "ends")]
@@ -180,10 +170,9 @@ class Queries(Matrices):
                 "starts and ends: expected equal numbers, or one of either, got "
                 f"{len(sets[0])} and {len(sets[1])}"
             )
-        finder = self._path_finder(straighten, detour, projection_tolerance)
         sets = [points[np.arange(count) % len(points)] for points in sets]
-        found = find(finder, *sets, self._issued)
-        return self._detached(finder) if as_polydata else found
+        result = self._find_paths(*sets, straighten, detour, projection_tolerance)
+        return self._polydata(result) if as_polydata else paths_of(result, count)
 
     def sample(
         self,
@@ -222,25 +211,18 @@ class Queries(Matrices):
 
         Raises
         ------
-        ValueError, VTKError
+        ValueError, Error
             As for `distance`.
         """
-        count = arguments.integer(number_of_samples, "number_of_samples", 1)
-        sampler = self._filter(vtkGeodesicSampler, projection_tolerance)
-        sampler.SetNumberOfSamples(count)
-        sampler.SetFirstSample(arguments.point_id(first, "first", self.number_of_points))
-        start = None if start is None else self._points(start, "start").polydata()
-        sampler.SetStartData(start)
-        sampler.SetCoveringRadius(arguments.limit(covering_radius, "covering_radius"))
-        sampler.SetInFaces(bool(in_faces))
-        output = run(sampler, self._issued)
+        result = self._samples(
+            number_of_samples, first, start, covering_radius, in_faces, projection_tolerance
+        )
         if as_polydata:
-            return self._detached(sampler)
-        data = output.GetPointData()
+            return self._polydata(result)
         return Samples(
-            points=coordinates_of(output),
-            **surface_points_of(data),
-            covering_radii=array_of(data, "CoveringRadius"),
+            points=result.points,
+            **surface_points_of(result.point_data),
+            covering_radii=result.point_data["CoveringRadius"],
         )
 
     def voronoi(
@@ -271,41 +253,71 @@ class Queries(Matrices):
 
         Raises
         ------
-        ValueError, VTKError
+        ValueError, Error
             As for `distance`.
         """
-        divide = self._divide(sites, iterations, projection_tolerance)
+        surface, _, cells, moved = self._divide(sites, iterations, projection_tolerance)
         if as_polydata:
-            return self._detached(divide, 0 if self.is_cloud else 2)
-        return voronoi_of(divide)
+            return self._polydata(surface if self.is_cloud else cells)
+        return voronoi_of(surface, moved)
+
+    def _samples(
+        self, count, first, start=None, radius=0.0, in_faces=False, projection_tolerance=None
+    ):
+        """Returns samples as a result of the kernel."""
+        return self._call(
+            _kernel.samples,
+            self._graph,
+            None if start is None else self._points(start, "start").in_kernel(),
+            number_of_samples=arguments.integer(count, "number_of_samples", 1),
+            first_sample=arguments.point_id(first, "first", self.number_of_points),
+            covering_radius=arguments.limit(radius, "covering_radius"),
+            in_faces=bool(in_faces),
+            projection_tolerance=arguments.projection_tolerance(projection_tolerance),
+        )
 
     def _divide(self, sites, iterations, projection_tolerance):
-        """Returns the filter with the Voronoi cells as output, until the next query."""
-        sites = self._points(sites, "sites")
+        """Returns the four results of the kernel: surface, borders, cells and moved sites."""
         iterations = arguments.integer(iterations, "iterations", 0)
-        divide = self._filter(vtkGeodesicVoronoi, projection_tolerance)
-        arguments.set_points(divide, "Site", sites)
-        divide.SetCentroidal(iterations > 0)
-        divide.SetNumberOfIterations(iterations)
-        run(divide, self._issued)
-        return divide
+        return self._call(
+            _kernel.voronoi,
+            self._graph,
+            self._points(sites, "sites").in_kernel(),
+            centroidal=iterations > 0,
+            number_of_iterations=iterations,
+            projection_tolerance=arguments.projection_tolerance(projection_tolerance),
+        )
 
-    def _search(self, sources, correction, maximum_distance, initial_distances, tolerance):
-        """Returns the filter with its sources, before its update."""
-        limit = arguments.limit(maximum_distance, "maximum_distance")
-        search = self._filter(vtkDGGDistance, tolerance)
-        set_sources(search, self._points(sources, "sources"), initial_distances)
-        search.SetCorrection(bool(correction))
-        search.SetMaximumDistance(limit)
-        search.GenerateNearestSourceOn()
-        search.GenerateVirtualSourceOff()
-        return search
+    def _distance(
+        self, sources, maximum_distance, initial_distances, projection_tolerance, **options
+    ):
+        """Returns the distances as a result of the kernel."""
+        sources = self._points(sources, "sources")
+        options.update(
+            field_options(sources, maximum_distance, initial_distances, projection_tolerance)
+        )
+        return self._call(self._graph.distance, sources.in_kernel(), **options)
 
-    def _path_finder(self, straighten, detour, tolerance):
+    def _path(self, start, end, straighten=True, detour=None, projection_tolerance=None):
+        """Returns the path between two points as a result of the kernel."""
+        ends = (
+            arguments.surface_point(value, name, self._surface, self.is_cloud)
+            for value, name in ((start, "start"), (end, "end"))
+        )
+        return self._find_paths(*ends, straighten, detour, projection_tolerance)
+
+    def _find_paths(self, starts, ends, straighten, detour, tolerance):
+        """Returns the paths between `SurfacePoints` as a result of the kernel."""
         detour = 1e-4 if detour is None else arguments.number(detour, "detour")
         if not 0.0 <= detour <= 0.1:
             raise ValueError(f"detour: expected a number in [0, 0.1], got {detour}")
-        finder = self._filter(vtkDGGPath, tolerance)
-        finder.SetStraighten(bool(straighten))
-        finder.SetDetour(detour)
-        return finder
+        return find(
+            self._graph,
+            starts,
+            ends,
+            self._issued,
+            straighten=bool(straighten),
+            detour=detour,
+            memory_limit=self._memory_limit,
+            projection_tolerance=arguments.projection_tolerance(tolerance),
+        )

@@ -18,7 +18,7 @@ import numpy as np
 
 from . import _kernel
 from .data_set import ATTRIBUTES
-from .errors import VTKError, depth_of_package
+from .errors import VTKError, depth_of_package, needing_vtk
 from .legacy_format import LegacyFile
 from .mesh import Mesh
 from .xml_format import XMLFile
@@ -137,21 +137,8 @@ def _read_vtk(path, extension):
     if is_surface:
         return data.mesh()
     with needing_vtk(f"{path}: reading grids"):
-        from .surface import grid_of, mesh_of, surface_of
-    return mesh_of(surface_of(grid_of(data), path))
-
-
-@contextlib.contextmanager
-def needing_vtk(purpose):
-    """Names the extra to install if an import within fails because there is no VTK."""
-    try:
-        yield
-    except ModuleNotFoundError as error:
-        if (error.name or "").partition(".")[0] != "vtkmodules":
-            raise
-        raise ImportError(
-            f"{purpose} needs VTK, which is not installed (pip install vtkdgg[vtk])"
-        ) from None
+        from .vtk_data import data_set_of, grid_of, surface_of
+    return data_set_of(surface_of(grid_of(data), path)).mesh()
 
 
 @contextlib.contextmanager

@@ -8,10 +8,8 @@ import dataclasses
 from typing import TYPE_CHECKING, List
 
 import numpy as np
-from vtkmodules.util.numpy_support import vtk_to_numpy
 
 from .checks import counted
-from .surface import coordinates_of
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -197,45 +195,36 @@ class EarthMovers:
         return f"<vtkdgg.EarthMovers: distance {self.distance:g}>"
 
 
-def array_of(data, name):
-    """Returns a copy of an array of VTK, whose memory belongs to a filter."""
-    return np.array(vtk_to_numpy(data.GetArray(name)))
-
-
-def surface_points_of(data):
+def surface_points_of(arrays):
     """Returns the point arrays that identify surface points, by names of attributes."""
     return {
-        "point_ids": array_of(data, "vtkOriginalPointIds"),
-        "faces": array_of(data, "FaceId"),
-        "barycentric": array_of(data, "Barycentric") if data.HasArray("Barycentric") else None,
+        "point_ids": arrays["vtkOriginalPointIds"],
+        "faces": arrays["FaceId"],
+        "barycentric": arrays.get("Barycentric"),
     }
 
 
-def voronoi_of(divide):
-    """Returns the Voronoi cells that a vtkGeodesicVoronoi has computed."""
-    data, moved = divide.GetOutput().GetPointData(), divide.GetOutput(3)
-    arrays = moved.GetPointData()
+def voronoi_of(points, sites):
+    """Returns Voronoi cells from two results of the kernel."""
     return Voronoi(
-        nearest=vtk_to_numpy(data.GetArray("GeodesicSource")).astype(np.intp),
-        distances=array_of(data, "GeodesicDistance"),
-        sites=coordinates_of(moved),
-        **surface_points_of(arrays),
-        areas=array_of(arrays, "CellArea") if arrays.HasArray("CellArea") else None,
+        nearest=points.point_data["GeodesicSource"].astype(np.intp),
+        distances=points.point_data["GeodesicDistance"],
+        sites=sites.points,
+        **surface_points_of(sites.point_data),
+        areas=sites.point_data.get("CellArea"),
     )
 
 
-def lines_of(output, kind, **names):
-    """Returns the polylines of a filter as objects of the class `kind`. `names` are the cell arrays
-    of its further attributes."""
-    if output.GetNumberOfLines() == 0:
+def lines_of(result, kind, **names):
+    """Returns the polylines of a result of the kernel as objects of the class `kind`. `names` are
+    the cell arrays of its further attributes."""
+    offsets, corners = result.cells["lines"]
+    if len(offsets) < 2:
         return []
-    points = coordinates_of(output)
-    offsets = vtk_to_numpy(output.GetLines().GetOffsetsArray())
-    corners = vtk_to_numpy(output.GetLines().GetConnectivityArray())
-    data, cells = output.GetPointData(), output.GetCellData()
-    per_point = {**surface_points_of(data), "arc_lengths": array_of(data, "ArcLength")}
-    first = output.GetNumberOfVerts()  # arrays of cells begin with verts
-    per_line = {key: array_of(cells, name)[first:] for key, name in names.items()}
+    points, data = result.points, result.point_data
+    per_point = {**surface_points_of(data), "arc_lengths": data["ArcLength"]}
+    first = len(result.cells["verts"][0]) - 1  # arrays of cells begin with verts
+    per_line = {key: result.cell_data[name][first:] for key, name in names.items()}
     lines: List = []
     for i in range(len(offsets) - 1):
         ids = corners[offsets[i] : offsets[i + 1]]

@@ -9,17 +9,10 @@ from typing import TYPE_CHECKING, Any, Optional, Union
 
 import numpy as np
 
-from . import arguments, meshes
-from .errors import run
-from .graph_info import set_up
-from .results import EarthMovers, array_of
-from .surface import add_array
-from .vtkDGGFiltersSpectral import (
-    vtkBiharmonicDistance,
-    vtkDiscreteGreensFunction,
-    vtkHarmonicBSpline,
-    vtkSurfaceEarthMoversDistance,
-)
+from . import _kernel, arguments, meshes
+from .errors import call
+from .graph_info import merging
+from .results import EarthMovers
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
@@ -74,12 +67,12 @@ def greens_function(
 
     Raises
     ------
-    ValueError, VTKError
+    ValueError, Error
         As for `distance`.
 
     See Also
     --------
-    vtkDiscreteGreensFunction : the filter that does the work, with further options.
+    vtkDiscreteGreensFunction : a filter with further options.
 
     Examples
     --------
@@ -87,13 +80,16 @@ def greens_function(
     >>> g.shape
     (642, 2)
     """
+    options = {
+        "order": _ORDERS[_order(order)],
+        "method": _choice(method, "method", _GREENS_METHODS),
+        "boundary": _choice(boundary, "boundary", _BOUNDARIES),
+    }
     surface, (sources,) = meshes.take(points, triangles, sources=sources)
-    solve = vtkDiscreteGreensFunction()
-    solve.SetOrder(_order(order))
-    solve.SetMethod(_choice(solve, method, "method"))
-    solve.SetBoundary(_choice(solve, boundary, "boundary"))
-    set_up(solve, surface, merge_coincident_points, merge_tolerance, projection_tolerance)
-    return _solve(solve, surface, sources, at, as_polydata)
+    sources = arguments.surface_points(sources, "sources", surface)
+    how = merge_coincident_points, merge_tolerance, projection_tolerance
+    found = _solve(_kernel.greens_function, surface, sources, at, how, **options)
+    return found.answer("GreensFunction", as_polydata)
 
 
 def biharmonic(
@@ -151,12 +147,12 @@ def biharmonic(
 
     Raises
     ------
-    ValueError, VTKError
+    ValueError, Error
         As for `distance`.
 
     See Also
     --------
-    vtkBiharmonicDistance : the filter that does the work.
+    vtkBiharmonicDistance : a filter with further options.
 
     Examples
     --------
@@ -164,20 +160,22 @@ def biharmonic(
     >>> d.shape
     (642,)
     """
-    surface, (sources,) = meshes.take(points, triangles, sources=sources)
-    solve = vtkBiharmonicDistance()
-    solve.SetKind(_choice(solve, kind, "kind"))
-    solve.SetMethod(_choice(solve, method, "method"))
+    options = {
+        "kind": _choice(kind, "kind", _KINDS),
+        "method": _choice(method, "method", ("Spectrum", "Exact")),
+        "boundary": _choice(boundary, "boundary", _BOUNDARIES),
+        "unreached_value": arguments.number(unreached, "unreached"),
+    }
     if number_of_eigenvalues is not None:
-        solve.SetNumberOfEigenvalues(
-            arguments.integer(number_of_eigenvalues, "number_of_eigenvalues")
-        )
+        count = arguments.integer(number_of_eigenvalues, "number_of_eigenvalues")
+        options["number_of_eigenvalues"] = count
     if diffusion_time is not None:
-        solve.SetDiffusionTime(arguments.number(diffusion_time, "diffusion_time"))
-    solve.SetBoundary(_choice(solve, boundary, "boundary"))
-    solve.SetUnreachedValue(arguments.number(unreached, "unreached"))
-    set_up(solve, surface, merge_coincident_points, merge_tolerance, projection_tolerance)
-    return _solve(solve, surface, sources, at, as_polydata)
+        options["diffusion_time"] = arguments.number(diffusion_time, "diffusion_time")
+    surface, (sources,) = meshes.take(points, triangles, sources=sources)
+    sources = arguments.surface_points(sources, "sources", surface)
+    how = merge_coincident_points, merge_tolerance, projection_tolerance
+    found = _solve(_kernel.biharmonic_distance, surface, sources, at, how, **options)
+    return found.answer("BiharmonicDistance", as_polydata)
 
 
 def earth_movers(
@@ -222,13 +220,13 @@ def earth_movers(
 
     Raises
     ------
-    ValueError, VTKError
+    ValueError, Error
         As for `distance`; a ValueError for three numbers on a mesh of three points, which may be
         masses or coordinates.
 
     See Also
     --------
-    vtkSurfaceEarthMoversDistance : the filter that does the work, with further options.
+    vtkSurfaceEarthMoversDistance : a filter with further options.
 
     Examples
     --------
@@ -236,22 +234,24 @@ def earth_movers(
     True
     """
     surface, (start, end) = meshes.take(points, triangles, start=start, end=end)
-    move = vtkSurfaceEarthMoversDistance()
-    _set_distribution(surface, start, "start", move.SetFromArrayName, move.SetFromData)
-    _set_distribution(surface, end, "end", move.SetToArrayName, move.SetToData)
-    move.SetArrayMeaning(move.Density if density else move.Mass)
-    move.SetNormalize(bool(normalize))
+    options = {
+        **_distribution(surface, start, "start", "from"),
+        **_distribution(surface, end, "end", "to"),
+        "array_meaning": "Density" if density else "Mass",
+        "normalize": bool(normalize),
+        "projection_tolerance": arguments.projection_tolerance(projection_tolerance),
+    }
     if tolerance is not None:
-        move.SetTolerance(arguments.limit(tolerance, "tolerance"))
-    set_up(move, surface, merge_coincident_points, merge_tolerance, projection_tolerance)
-    output = run(move)
+        options["tolerance"] = arguments.limit(tolerance, "tolerance")
+    prepared = surface.prepared(*merging(merge_coincident_points, merge_tolerance))
+    result = call(_kernel.earth_movers_distance, prepared, **options)
     if as_polydata:
-        return output
+        return surface.polydata(result)
     return EarthMovers(
-        distance=move.GetDistance(),
-        lower_bound=move.GetLowerBound(),
-        potential=array_of(output.GetPointData(), "EarthMoversPotential"),
-        flow=array_of(output.GetCellData(), "EarthMoversFlow"),
+        distance=result.distance,
+        lower_bound=result.lower_bound,
+        potential=result.point_data["EarthMoversPotential"],
+        flow=result.cell_data["EarthMoversFlow"],
     )
 
 
@@ -300,13 +300,13 @@ def interpolate(
 
     Raises
     ------
-    ValueError, VTKError
+    ValueError, Error
         As for `distance`; also if there is not one value for each site, for two sites at the same
         position, and for components without a site.
 
     See Also
     --------
-    vtkHarmonicBSpline : the filter that does the work, with further options.
+    vtkHarmonicBSpline : a filter with further options.
 
     Examples
     --------
@@ -314,13 +314,11 @@ def interpolate(
     >>> t.shape
     (642,)
     """
+    options = {
+        "order": ("Harmonic", "Biharmonic")[_order(order) - 1],
+        "boundary": _choice(boundary, "boundary", _BOUNDARIES),
+    }
     surface, (sites, values) = meshes.take(points, triangles, sites=sites, values=values)
-    spline = vtkHarmonicBSpline()
-    spline.SetOrder(_order(order))
-    spline.SetBoundary(_choice(spline, boundary, "boundary"))
-    spline.SetSiteValuesArrayName(_SITE_VALUES)
-    spline.GenerateBasisOff()
-    set_up(spline, surface, merge_coincident_points, merge_tolerance, projection_tolerance)
     sites = arguments.surface_points(sites, "sites", surface)
     numbers = np.asarray(arguments.numbers(values, "values"), dtype=np.float64)
     numbers = numbers.reshape(1) if numbers.ndim == 0 else numbers
@@ -328,18 +326,16 @@ def interpolate(
         raise ValueError(
             f"values: expected one row for each of {len(sites)} sites, got shape {numbers.shape}"
         )
-    data = sites.polydata()
-    add_array(data.GetPointData(), _SITE_VALUES, numbers)
-    spline.SetSourceData(data)
-    output = _evaluate(spline, at)
-    output.GetPointData().RemoveArray(_SITE_VALUES)
-    if as_polydata:
-        return output
-    return array_of(output.GetPointData(), "Interpolation")
+    how = merge_coincident_points, merge_tolerance, projection_tolerance
+    options.update(point_values=numbers, generate_basis=False)
+    found = _solve(_kernel.harmonic_spline, surface, sites.in_place(), at, how, **options)
+    return found.answer("Interpolation", as_polydata)
 
 
-#: Name of the point array with the values of sites.
-_SITE_VALUES = "vtkdgg site values"
+_BOUNDARIES = ("Neumann", "Dirichlet")
+_GREENS_METHODS = ("SingularitySubtraction", "Localized", "Interpolated", "Vertex")
+_KINDS = ("Biharmonic", "CommuteTime", "Diffusion")
+_ORDERS = {1: "Laplace", 2: "BiLaplace"}
 
 
 def _order(value):
@@ -348,48 +344,52 @@ def _order(value):
     return int(value)
 
 
-def _choice(algorithm, value, name):
-    """Returns the number of a choice by its name in an enumeration of the class."""
-    kind = getattr(type(algorithm), f"{name.capitalize()}Type")
-    known = {
-        key: number
-        for base in type(algorithm).__mro__
-        for key, number in vars(base).items()
-        if isinstance(number, kind)
-    }
+def _choice(value, name, known):
+    """Returns one of some names."""
     if value not in known:
         raise ValueError(f"{name}: expected one of {', '.join(known)}, got {value!r}")
-    return known[value]
+    return value
 
 
-def _solve(solve, surface, sources, at, as_polydata):
-    sources = arguments.surface_points(sources, "sources", surface)
-    arguments.set_points(solve, "Source", sources)
-    output = _evaluate(solve, at)
-    if as_polydata:
-        return output
-    return array_of(output.GetPointData(), solve.GetResultArrayName())
+class _Solution:
+    """Results of the kernel on a surface, and at further points if there are any."""
+
+    def __init__(self, surface, results, at):
+        self._surface = surface
+        self._on_surface, self._at_points = results
+        self._at = at
+
+    def answer(self, name, as_polydata):
+        """Returns the array with this name, or the surface or points that have it."""
+        result = self._on_surface if self._at is None else self._at_points
+        if not as_polydata:
+            return result.point_data[name]
+        if self._at is None:
+            return self._surface.polydata(result)
+        return self._at.polydata(result)
 
 
-def _evaluate(solve, at):
-    """Returns the surface, or the points of `at`, with the results."""
+def _solve(function, surface, sources, at, how, **options):
+    """Applies a function of the kernel to `SurfacePoints`. `how` has the arguments that all
+    functions have in common."""
+    is_merged, merge_tolerance, projection_tolerance = how
     if at is not None:
-        at = arguments.surface_points(at, "at", solve.GetInput())
-        solve.SetEvaluationData(at.polydata())
-    run(solve)
-    return solve.GetOutput() if at is None else solve.GetEvaluation()
+        at = arguments.surface_points(at, "at", surface)
+        options["evaluation"] = at.in_kernel()
+    prepared = surface.prepared(*merging(is_merged, merge_tolerance))
+    options["projection_tolerance"] = arguments.projection_tolerance(projection_tolerance)
+    sources = sources if isinstance(sources, dict) else sources.in_kernel()
+    return _Solution(surface, call(function, prepared, sources, **options), at)
 
 
-def _set_distribution(surface, values, name, set_array, set_points):
-    """Sets a distribution: numbers of all points as an array, surface points as points."""
-    count = surface.GetNumberOfPoints()
+def _distribution(surface, values, name, role):
+    """Returns the options of a distribution: numbers of all points, or surface points."""
+    count = surface.number_of_points
     array = None if arguments.is_mixed(values) else arguments.numbers(values, name)
     if array is not None and array.dtype.kind == "f" and array.shape == (count,):
         if count == 3:
             raise ValueError(f"{name}: three numbers may be masses of the points or coordinates")
         if not np.isfinite(array).all():
             raise ValueError(f"{name}: entry {int(np.argmin(np.isfinite(array)))} is not finite")
-        add_array(surface.GetPointData(), name, array.astype(np.float64))
-        set_array(name)
-        return
-    set_points(arguments.surface_points(values, name, surface).polydata())
+        return {f"{role}_values": array}
+    return {f"{role}_points": arguments.surface_points(values, name, surface).in_kernel()}

@@ -1,340 +1,227 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Conversions between vtkPolyData and NumPy arrays; copies and surfaces of VTK's data sets."""
+"""The mesh or cloud that a function is applied to."""
 
-import warnings
+import copy
 
 import numpy as np
-from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray, vtk_to_numpy
-from vtkmodules.vtkCommonCore import VTK_BIT, reference, vtkIdList, vtkPoints
-from vtkmodules.vtkCommonDataModel import (
-    VTK_CONVEX_POINT_SET,
-    VTK_LAGRANGE_HEXAHEDRON,
-    VTK_NUMBER_OF_CELL_TYPES,
-    vtkCellArray,
-    vtkDataSetAttributes,
-    vtkGenericCell,
-    vtkPolyData,
-    vtkStaticCellLocator,
-    vtkStructuredGrid,
-    vtkUnstructuredGrid,
-)
-from vtkmodules.vtkFiltersGeometry import vtkDataSetSurfaceFilter
 
+from . import _kernel
 from .checks import counted
-from .data_set import POLYHEDRON, DataSet
-from .errors import check, depth_of_package
-from .mesh import checked_cells
+from .data_set import ATTRIBUTES, DataSet
+from .errors import Error, call, needing_vtk
+from .graph_info import arrays_of
+from .mesh import Mesh
+from .vtk_output import GRAPH_ARRAYS, is_on_input, window_arrays
 
-CELLS = ("Verts", "Lines", "Polys", "Strips")
-DATA = ("PointData", "CellData", "FieldData")
-# Least number of corners of cell types that can have more.
-_LEAST = {2: 1, 4: 2, 6: 3, 7: 3, 36: 6, POLYHEDRON: 4}
-# Number of corners of Lagrange and Bézier cells with n points along each edge.
-_OF_ORDER = {
-    kind: size
-    for kinds, size in (
-        ((68, 75), lambda n: n),
-        ((69, 76), lambda n: n * (n + 1) // 2),
-        ((70, 77), lambda n: n * n),
-        ((71, 78), lambda n: n * (n + 1) * (n + 2) // 6),
-        ((72, 79), lambda n: n**3),
-        ((73, 80), lambda n: n * n * (n + 1) // 2),
-    )
-    for kind in kinds
+_NORMALS, _SCALARS = ATTRIBUTES.index("normals"), ATTRIBUTES.index("scalars")
+# Keys of a state that can be pickled, and the corresponding cells and arrays of a DataSet.
+_CELLS = {"Verts": "verts", "Lines": "lines", "Polys": "polygons", "Strips": "strips"}
+# Texts of the report that do not follow from the names.
+_WORDS = {
+    "mollification": "length added to degenerate faces",
+    "largest_cap_height": "height of removed degenerate faces",
 }
+_ARRAYS = {"PointData": "point_data", "CellData": "cell_data", "FieldData": "field_data"}
 
 
-def configured(target, **properties):
-    """Sets properties of a VTK object, and returns the object. A list is several arguments."""
-    for name, value in properties.items():
-        getattr(target, f"Set{name}")(*value if isinstance(value, list) else [value])
-    return target
+class Surface:
+    """Points, polygons and strips for the kernel, and the other data that results pass on.
 
-
-def copy_surface(polydata):
-    """Returns a copy of the surface with new points and cells. All other arrays are shared."""
-    result = vtkPolyData()
-    points = vtkPoints()
-    if polydata.GetPoints():
-        # DeepCopy() does not change the type.
-        points.SetDataType(polydata.GetPoints().GetDataType())
-        points.DeepCopy(polydata.GetPoints())
-    result.SetPoints(points)
-    for kind in CELLS:
-        cells = vtkCellArray()
-        cells.DeepCopy(getattr(polydata, f"Get{kind}")())
-        getattr(result, f"Set{kind}")(cells)
-    for kind in DATA:
-        getattr(result, f"Get{kind}")().ShallowCopy(getattr(polydata, f"Get{kind}")())
-    return result
-
-
-def vtk_points(values):
-    """Returns a copy of coordinates as vtkPoints of the same precision."""
-    return configured(vtkPoints(), Data=numpy_to_vtk(np.ascontiguousarray(values), deep=True))
-
-
-def shallow_copy(polydata):
-    """Returns a new vtkPolyData that shares all points, cells and arrays."""
-    result = vtkPolyData()
-    result.ShallowCopy(polydata)
-    return result
-
-
-def with_arrays(polydata, arrays):
-    """Returns a shallow copy with further point arrays, of which the first is active."""
-    result = shallow_copy(polydata)
-    for name, values in arrays.items():
-        add_array(result.GetPointData(), name, values)
-    result.GetPointData().SetActiveScalars(next(iter(arrays)))
-    return result
-
-
-def coordinates_of(polydata):
-    """Returns the coordinates of all points as float64, shape (n, 3)."""
-    return vtk_to_numpy(polydata.GetPoints().GetData()).astype(float)
-
-
-def triangles_of(polydata):
-    """Returns the point ids of the corners, shape (m, 3), of a surface of triangles."""
-    return vtk_to_numpy(polydata.GetPolys().GetConnectivityArray()).reshape(-1, 3)
-
-
-def area_vectors(polydata):
-    """Returns the normals of all triangles, whose lengths are the areas, shape (m, 3)."""
-    a, b, c = coordinates_of(polydata)[triangles_of(polydata)].swapaxes(0, 1)
-    return 0.5 * np.cross(b - a, c - a)
-
-
-def locator_of(polydata):
-    """Returns a locator of the cells."""
-    locator = configured(vtkStaticCellLocator(), DataSet=polydata)
-    locator.BuildLocator()
-    return locator
-
-
-def closest_cell(locator, position):
-    """Returns the closest position on a surface, and the corners of the cell that contains it."""
-    closest, cell, sub, squared = [0.0] * 3, reference(0), reference(0), reference(0.0)
-    locator.FindClosestPoint(position, closest, cell, sub, squared)
-    ids = locator.GetDataSet().GetCell(cell.get()).GetPointIds()
-    return np.array(closest), [ids.GetId(i) for i in range(ids.GetNumberOfIds())]
-
-
-def mesh_of(polydata):
-    """Returns the vtkPolyData as a Mesh. Strips become triangles; texts are skipped."""
-    data = DataSet("POLYDATA")
-    if polydata.GetPoints():
-        data.points = vtk_to_numpy(polydata.GetPoints().GetData())
-    for name, kind in zip(data.cells, CELLS):
-        data.cells[name] = _ids_of(getattr(polydata, f"Get{kind}")())
-    data.point_data = named_arrays(polydata.GetPointData())
-    data.cell_data = named_arrays(polydata.GetCellData())
-    data.field_data = named_arrays(polydata.GetFieldData())
-    for kind in range(vtkDataSetAttributes.NUM_ATTRIBUTES):
-        array = polydata.GetPointData().GetAbstractAttribute(kind)
-        if array is not None:
-            data.active[kind] = array.GetName()
-    return data.mesh()
-
-
-def grid_of(data):
-    """Returns a DataSet of an unstructured or structured grid as a vtkPointSet.
-
-    Inconsistent cells, with which VTK ends the process, are an error.
+    Parameters
+    ----------
+    data : DataSet
+        Contents of the kind POLYDATA.
+    polydata : vtkPolyData, optional
+        A copy of the object that the contents come from, for outputs.
     """
-    if data.kind == "STRUCTURED_GRID":
-        if np.prod(data.dimensions, dtype=object) != len(data.points):
-            raise ValueError(
-                f"dimensions {data.dimensions} contradict {counted(len(data.points), 'point')}"
+
+    def __init__(self, data, polydata=None):
+        self.data = data
+        self._polydata = polydata
+        self._default_normals = "Normals" if polydata is None else None
+
+    @classmethod
+    def of(cls, mesh):
+        """Returns the surface of a Mesh, whose arrays are shared."""
+        return cls(DataSet.of(mesh))
+
+    @classmethod
+    def of_points(cls, points):
+        """Returns a cloud with checked coordinates."""
+        data = DataSet("POLYDATA")
+        data.points = points
+        return cls(data)
+
+    @property
+    def points(self):
+        """Coordinates, shape (n, 3)."""
+        return self.data.points
+
+    @property
+    def number_of_points(self):
+        """Number of points, n."""
+        return len(self.data.points)
+
+    @property
+    def number_of_cells(self):
+        """Number of cells, including verts and lines."""
+        return self.data.number_of_cells()
+
+    @property
+    def polygons(self):
+        """Offsets and corners of the polygons."""
+        return self.data.cells["polygons"]
+
+    @property
+    def first_polygon(self):
+        """Cell id of the first polygon, which follows verts and lines."""
+        return sum(len(self.data.cells[name][0]) - 1 for name in ("verts", "lines"))
+
+    @property
+    def has_polygons(self):
+        """True if there are polygons or strips."""
+        return self.number_of_cells > self.first_polygon
+
+    @property
+    def has_strips(self):
+        """True if there are triangle strips."""
+        return len(self.data.cells["strips"][0]) > 1
+
+    @property
+    def field_data(self):
+        """Field arrays by name."""
+        return self.data.field_data
+
+    @property
+    def normals(self):
+        """The active normals, shape (n, 3), or None."""
+        name = self.data.active.get(_NORMALS, self._default_normals)
+        values = self.data.point_data.get(name)
+        return values if np.shape(values)[1:] == (3,) else None
+
+    def add_point_array(self, name, values):
+        """Adds a point array, or replaces the one with this name."""
+        self.data.point_data = {**self.data.point_data, name: values}
+        if self._polydata is not None:
+            from . import vtk_output
+
+            self._polydata.GetPointData().AddArray(vtk_output.vtk_array(values, name))
+
+    def copy(self):
+        """Returns the surface without a graph, with copies of points and cells, which others cannot
+        change."""
+        data = copy.copy(self.data)
+        graph = arrays_of(self.field_data)
+        data.field_data = {k: v for k, v in self.field_data.items() if k not in graph}
+        polydata = self._polydata
+        if polydata is not None:
+            from . import vtk_data
+
+            polydata = vtk_data.copy_surface(polydata)
+            for name in graph:
+                polydata.GetFieldData().RemoveArray(name)
+        data.points = self.data.points.copy()
+        data.cells = {
+            name: tuple(array.copy() for array in pair) for name, pair in data.cells.items()
+        }
+        return Surface(data, polydata)
+
+    def prepared(self, is_merged=False, merge_tolerance=0.0, is_cloud=False, issued=None):
+        """Returns the surface or cloud of the kernel. `issued` is as for call()."""
+        if not (is_cloud or self.has_polygons):
+            raise Error(
+                [
+                    f"triangles: there are {counted(self.number_of_points, 'point')} but no "
+                    "polygons; use vtkdgg.CloudGraph for points without triangles"
+                ],
+                "triangles",
+                reason="InvalidInput",
             )
-        grid = configured(vtkStructuredGrid(), Dimensions=data.dimensions)
-    else:
-        grid = vtkUnstructuredGrid()
-        _add_cells(grid, data)
-    grid.SetPoints(vtk_points(data.points))
-    _add_arrays(grid, data, data.active)
-    return grid
-
-
-def polydata_of(mesh):
-    """Returns the Mesh as a new vtkPolyData. Without cells it gets verts, which renderers draw."""
-    values = mesh.points
-    # Single precision for unchanged coordinates of a file that stores it.
-    if mesh._is_single and np.array_equal(values.astype(np.float32), values, equal_nan=True):
-        values = values.astype(np.float32)
-    result = configured(vtkPolyData(), Points=vtk_points(values))
-    cells = {"Verts": mesh.verts, "Lines": mesh.lines, "Polys": mesh.polygons}
-    configured(result, **{kind: cells_of(*rows) for kind, rows in cells.items()})
-    if result.GetNumberOfCells() == 0:
-        ids = np.flatnonzero(np.isfinite(mesh.points).all(axis=1))
-        result.SetVerts(cells_of(np.arange(len(ids) + 1), ids))
-    _add_arrays(result, mesh, {vtkDataSetAttributes.NORMALS: "Normals", **mesh._active})
-    return result
-
-
-def surface_of(data, name):
-    """Returns the surface of a vtkPointSet as a vtkPolyData with the same points.
-
-    A warning about volume cells begins with `name`.
-    """
-    dimension = 0
-    for i in _one_of_each_type(data):
-        cell = data.GetCell(i)
-        dimension = max(dimension, cell.GetCellDimension())
-        if cell.GetClassName().startswith("vtkBezier"):
-            raise ValueError(
-                f"cell {i} is a {cell.GetClassName()}, whose surface does not contain its points; "
-                "expected linear, quadratic or Lagrange cells"
-            )
-    name_of_ids = "vtkdgg ids"  # PassThroughPointIds of VTK 9.1 is wrong on quadratic cells
-    numbered = data.NewInstance()
-    numbered.CopyStructure(data)
-    add_array(numbered.GetPointData(), name_of_ids, np.arange(data.GetNumberOfPoints()))
-    numbered.GetCellData().ShallowCopy(data.GetCellData())
-    found = check(configured(vtkDataSetSurfaceFilter(), InputData=numbered))
-    if dimension == 3:
-        faces = found.GetNumberOfPolys() + found.GetNumberOfStrips()
-        warnings.warn(
-            f"{name} has volume cells: distances are measured on the surface of {faces} faces",
-            RuntimeWarning,
-            stacklevel=depth_of_package(),
+        strips = {"strips": self.data.cells["strips"]} if self.has_strips and not is_cloud else {}
+        return call(
+            _kernel.Surface,
+            self.data.stored_points(),
+            self.polygons,
+            first_cell=self.first_polygon,
+            merge_coincident_points=is_merged,
+            merge_tolerance=merge_tolerance,
+            cloud=is_cloud,
+            issued=issued,
+            **strips,
         )
-    result = configured(vtkPolyData(), Points=data.GetPoints())
-    ids = found.GetPointData().GetArray(name_of_ids)
-    for kind in CELLS:
-        offsets, corners = _ids_of(getattr(found, f"Get{kind}")())
-        if len(corners):
-            getattr(result, f"Set{kind}")(cells_of(offsets, vtk_to_numpy(ids)[corners]))
-    result.GetPointData().ShallowCopy(data.GetPointData())
-    result.GetCellData().ShallowCopy(found.GetCellData())
-    result.GetFieldData().ShallowCopy(data.GetFieldData())
-    return result
+
+    def polydata(self, result=None, graph=None):
+        """Returns the surface as a new vtkPolyData, or the output of a function of the kernel.
+
+        Its arrays are kept for the next call. `graph` has arrays of a graph, which become field
+        data of the surface.
+        """
+        with needing_vtk("as_polydata"):
+            from . import vtk_data, vtk_output
+
+        if self._polydata is None:
+            self._polydata = vtk_data.polydata_of(self.data)
+        data = self._polydata.GetFieldData()
+        for name, values in (graph or {}).items():
+            if not data.HasArray(name):
+                data.AddArray(vtk_data.shared_array(values, name))
+        surface = vtk_data.shallow_copy(self._polydata)
+        return surface if result is None else vtk_output.polydata_of_result(result, surface)
+
+    def mesh(self, result=None):
+        """Returns the surface as a new Mesh, or the output of a function of the kernel, in which
+        new points have no arrays of the surface."""
+        if result is None:
+            return self.data.mesh()
+        if is_on_input(result):
+            mesh = self.data.mesh()
+        else:
+            skipped = {*GRAPH_ARRAYS, *window_arrays(self.field_data)}
+            fields = {name: v for name, v in self.field_data.items() if name not in skipped}
+            mesh = Mesh(result.points, **result.cells, field_data=fields)
+        for name in _ARRAYS.values():
+            getattr(mesh, name).update(getattr(result, name))
+        if result.active["points"]:
+            mesh._active = {**mesh._active, _SCALARS: result.active["points"]}
+        return mesh
+
+    def state(self, graph):
+        """Returns a dict that can be pickled, without arrays of texts and bits. `graph` has arrays
+        of a graph, which become field data."""
+        state = {"Points": self.points}
+        state.update((key, self.data.cells[name]) for key, name in _CELLS.items())
+        for key, name in _ARRAYS.items():
+            arrays = getattr(self.data, name)
+            arrays = {**arrays, **graph} if key == "FieldData" else arrays
+            state[key] = list(arrays.items())
+        state["Active"] = {ATTRIBUTES[i]: name for i, name in self.data.active.items()}
+        return state
+
+    @classmethod
+    def from_state(cls, state):
+        """Returns the surface of a dict that state() or version 1.0.0 returned."""
+        data = DataSet("POLYDATA")
+        data.points = state["Points"]
+        data.cells = {name: state[key] for key, name in _CELLS.items()}
+        for key, name in _ARRAYS.items():
+            arrays = getattr(data, name)
+            for array_name, *parts in state[key]:  # version 1.0.0 stored the type before the values
+                arrays[array_name] = next(part for part in parts if isinstance(part, np.ndarray))
+        active = state.get("Active", {})
+        data.active = {ATTRIBUTES.index(kind): name for kind, name in active.items()}
+        return cls(data)
 
 
-def add_array(data, name, values, data_type=None):
-    """Adds a copy of an array to point, cell or field data."""
-    array = numpy_to_vtk(np.ascontiguousarray(values), deep=True, array_type=data_type)
-    array.SetName(name)
-    data.AddArray(array)
-
-
-def named_arrays(data):
-    """Returns the arrays of numbers that have a name, as NumPy arrays by name."""
-    return {a.GetName(): vtk_to_numpy(a) for a in _numeric(data) if a.GetName()}
-
-
-def cells_of(*arrays):
-    """Returns a vtkCellArray of offsets and corners."""
-    cells = vtkCellArray()
-    cells.SetData(*(numpy_to_vtkIdTypeArray(ids.astype(np.int64), deep=True) for ids in arrays))
-    return cells
-
-
-def to_arrays(polydata):
-    """Returns the surface as a dict that can be pickled, without arrays of texts and bits."""
-    result = {"Points": vtk_to_numpy(polydata.GetPoints().GetData())}
-    for kind in CELLS:
-        result[kind] = _ids_of(getattr(polydata, f"Get{kind}")())
-    for kind in DATA:
-        result[kind] = [
-            (array.GetName(), array.GetDataType(), vtk_to_numpy(array))
-            for array in _numeric(getattr(polydata, f"Get{kind}")())
-        ]
-    return result
-
-
-def from_arrays(arrays):
-    """Returns the surface of a dict that to_arrays() returned. Arrays are copied."""
-    result = configured(vtkPolyData(), Points=vtk_points(arrays["Points"]))
-    for kind in CELLS:
-        getattr(result, f"Set{kind}")(cells_of(*arrays[kind]))
-    for kind in DATA:
-        for name, data_type, values in arrays[kind]:
-            add_array(getattr(result, f"Get{kind}")(), name, values, data_type)
-    return result
-
-
-def _add_cells(grid, data):
-    """Checks the cells of a DataSet and adds them to a vtkUnstructuredGrid."""
-    offsets, corners = checked_cells(data.cells["cells"], "cells", len(data.points))
-    sizes = np.diff(offsets)
-    if len(sizes) != len(data.types):
-        cells, types = counted(len(sizes), "cell"), counted(len(data.types), "cell type")
-        raise ValueError(f"expected one type per cell, got {cells} and {types}")
-    for kind in np.unique(data.types).tolist():
-        for size in np.unique(sizes[data.types == kind]).tolist():
-            if not _is_size(kind, size):
-                raise ValueError(f"cells of type {kind} with {size} corners have no surface")
-    if data.is_of_vtk_8:
-        _reorder(data.types, offsets, corners)
-    if POLYHEDRON not in data.types:
-        types = numpy_to_vtk(data.types.astype(np.uint8), deep=True)
-        grid.SetCells(types, cells_of(offsets, corners))
-        return
-    for i, kind in enumerate(data.types.tolist()):
-        row = corners[offsets[i] : offsets[i + 1]].tolist()
-        if kind == POLYHEDRON:
-            row = [len(data.faces[i])]
-            for face in data.faces[i]:
-                row += [len(face), *face.tolist()]
-        ids = vtkIdList()
-        for k in row:
-            ids.InsertNextId(k)
-        grid.InsertNextCell(kind, ids)
-
-
-def _reorder(types, offsets, corners):
-    """Swaps the nodes on the last two edges of Lagrange hexahedra, as VTK 9 does."""
-    for i in np.flatnonzero((types == VTK_LAGRANGE_HEXAHEDRON) & (np.diff(offsets) > 8)):
-        count = round((offsets[i + 1] - offsets[i]) ** (1 / 3)) - 2  # nodes inside an edge
-        first = offsets[i] + 8 + 10 * count
-        nodes = corners[first : first + 2 * count]
-        nodes[:] = np.roll(nodes, count)
-
-
-def _add_arrays(result, mesh, active):
-    """Adds the arrays of a Mesh or DataSet to a vtkDataSet. `active` has names of point arrays by
-    attribute type; those with a wrong number of components do not become active."""
-    for kind, arrays in zip(DATA, (mesh.point_data, mesh.cell_data, mesh.field_data)):
-        data = getattr(result, f"Get{kind}")()
-        for name, values in arrays.items():
-            add_array(data, name, values)
-    data = result.GetPointData()
-    silence = data.AddObserver("WarningEvent", lambda *_: None)
-    for kind, name in active.items():
-        data.SetActiveAttribute(name, kind)
-    data.RemoveObserver(silence)
-
-
-def _is_size(kind, size):
-    """Returns true if cells of a type of VTK can have this number of corners."""
-    if kind in _LEAST:
-        return size >= _LEAST[kind]
-    if kind in _OF_ORDER:
-        return any(_OF_ORDER[kind](n) == size for n in range(2, 12))
-    cell = vtkGenericCell.InstantiateCell(kind) if 0 <= kind < VTK_NUMBER_OF_CELL_TYPES else None
-    return cell is not None and kind != VTK_CONVEX_POINT_SET and size == cell.GetNumberOfPoints()
-
-
-def _ids_of(cells):
-    """Returns offsets and corners of a vtkCellArray, without a copy."""
-    return tuple(
-        vtk_to_numpy(array) for array in (cells.GetOffsetsArray(), cells.GetConnectivityArray())
-    )
-
-
-def _numeric(data):
-    """Returns the arrays of numbers, without those of bits."""
-    arrays = (data.GetArray(i) for i in range(data.GetNumberOfArrays()))
-    return [a for a in arrays if a is not None and a.GetDataType() != VTK_BIT]
-
-
-def _one_of_each_type(data):
-    """Returns the id of one cell of each type."""
-    if not hasattr(data, "GetCellTypesArray"):
-        return [0] if data.GetNumberOfCells() else []
-    if data.GetNumberOfCells() == 0:
-        return []
-    return np.unique(vtk_to_numpy(data.GetCellTypesArray()), return_index=True)[1].tolist()
+def report_of(prepared):
+    """Returns size, defects and quality of a surface of the kernel as texts by name."""
+    found = {}
+    for name, value in prepared.report().items():
+        words = name.replace("number_of_", "").replace("non_", "non-").replace("_", " ")
+        text = f"{value:.0f}" if value.is_integer() else f"{value:g}"
+        if name == "orientable":
+            text = "yes" if value else "no"
+        elif name == "genus" and value < 0:
+            text = "undefined"
+        found[_WORDS.get(name, words)] = text
+    return found

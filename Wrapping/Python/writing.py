@@ -13,10 +13,10 @@ from typing import Any
 import numpy as np
 
 from . import _kernel
-from .data_set import ATTRIBUTES, LEAST_CORNERS
-from .errors import VTKError, check, depth_of_package
+from .data_set import ATTRIBUTES, LEAST_CORNERS, DataSet
+from .errors import VTKError, depth_of_package, needing_vtk
 from .mesh import Mesh
-from .reading import OWN, needing_vtk, reason_of
+from .reading import OWN, reason_of
 
 __all__ = ["write"]
 
@@ -66,6 +66,8 @@ def write(file: Any, mesh: Any) -> None:
     --------
     >>> vtkdgg.write("distance.ply", vtkdgg.distance(mesh, 0, as_polydata=True))  # doctest: +SKIP
     """
+    if not isinstance(file, (str, os.PathLike)):
+        raise ValueError(f"file: expected a file name, got a {type(file).__name__}")
     path = os.fspath(file)
     extension = extension_of(path)
     known = (*OWN, *VTK, *TABLES)
@@ -95,10 +97,8 @@ def mesh_from(data):
     if isinstance(data, Mesh):
         return data
     from . import meshes
-    from .surface import mesh_of
 
-    found, _ = meshes.take(data)
-    return found if isinstance(found, Mesh) else mesh_of(found)
+    return meshes.take(data)[0].data.mesh()
 
 
 def _write_own(path, extension, mesh):
@@ -108,7 +108,7 @@ def _write_own(path, extension, mesh):
             texts = _kernel.write_mesh(
                 part,
                 extension[1:],
-                _points_of(mesh),
+                DataSet.of(mesh).stored_points(),
                 verts=mesh.verts,
                 lines=mesh.lines,
                 polygons=mesh.polygons,
@@ -118,17 +118,10 @@ def _write_own(path, extension, mesh):
                 active=_active_of(mesh),
             )
         except (OSError, ValueError, MemoryError) as error:
-            raise type(error)(f"{path}: {error}") from None
+            kind = ValueError if isinstance(error, UnicodeError) else type(error)
+            raise kind(f"{path}: {error}") from None
     for text in texts:
         warnings.warn(f"{path}: {text}", RuntimeWarning, stacklevel=depth_of_package())
-
-
-def _points_of(mesh):
-    """Returns the coordinates, in single precision for unchanged ones of a file that stores it."""
-    values = mesh.points
-    if mesh._is_single and np.array_equal(values.astype(np.float32), values, equal_nan=True):
-        values = values.astype(np.float32)
-    return values
 
 
 def _active_of(mesh):
@@ -144,9 +137,7 @@ def _write_by_vtk(path, extension, mesh):
 
     from . import meshes
 
-    data, _ = meshes.take(mesh)
-    if isinstance(data, Mesh):
-        data = data.as_polydata()
+    data = meshes.take(mesh)[0].polydata()
     if extension == ".vtp":
         _check_cells(path, data)
     write_by(vtkXMLPolyDataWriter() if extension == ".vtp" else vtkPolyDataWriter(), path, data)
@@ -156,7 +147,7 @@ def _check_cells(path, data):
     """Raises an error for cells with too few corners."""
     from vtkmodules.util.numpy_support import vtk_to_numpy
 
-    from .surface import CELLS
+    from .vtk_data import CELLS
 
     for kind, (name, least) in zip(CELLS, LEAST_CORNERS.items()):
         sizes = np.diff(vtk_to_numpy(getattr(data, f"Get{kind}")().GetOffsetsArray()))
@@ -170,6 +161,8 @@ def _check_cells(path, data):
 def write_by(writer, path, data):
     """Writes data to a file by a writer of VTK."""
     from vtkmodules.vtkCommonMisc import vtkErrorCode
+
+    from .pipeline import check
 
     if hasattr(writer, "SetFileTypeToBinary"):
         writer.SetFileTypeToBinary()  # exact, and VTK does not read every NaN in a text
@@ -247,7 +240,7 @@ def table_of(data):
     if len(sizes) > 0:
         rows = mesh.lines[1]
         columns["line"] = np.repeat(np.arange(len(sizes)), sizes)
-    columns.update(zip("xyz", _points_of(mesh)[rows].T))
+    columns.update(zip("xyz", DataSet.of(mesh).stored_points()[rows].T))
     for name, values in mesh.point_data.items():
         columns.update(_columns(name, values[rows]))
     if len(sizes) > 0:

@@ -20,7 +20,7 @@ DGG_CORE_EXPORT Status CheckLengths(const std::vector<std::pair<std::string, dou
 /// Fails if the name of an array is empty or used twice. Pairs consist of a property and its value.
 DGG_CORE_EXPORT Status CheckNames(const std::vector<std::pair<std::string, std::string>>& names);
 
-/// Fails if an input of points has no polygon or triangle strip. `remedy` is what to do.
+/// Fails if an input of points has no polygon or triangle strip. `remedy` is the suggested action.
 DGG_CORE_EXPORT Status CheckCells(
   Offset numberOfPoints, Offset numberOfCells, const std::string& remedy);
 }

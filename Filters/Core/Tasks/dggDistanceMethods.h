@@ -36,7 +36,7 @@ DGG_CORE_EXPORT Status FindPropagatedDistances(const TaskContext& context,
 class DGG_CORE_EXPORT HeatSession
 {
 public:
-  /// Computes the distances of a task. `remedy` is what to do if memory is insufficient.
+  /// Computes the distances of a task. `remedy` is the suggested action if memory is insufficient.
   Status Run(const TaskContext& context, const HeatOptions& options, const std::string& remedy,
     DistanceTask& task);
 

@@ -67,7 +67,7 @@ struct DistanceNames
   std::string VirtualSource;
 };
 
-/// What a user requests of distances.
+/// Options of a distance computation.
 struct DGG_CORE_EXPORT DistanceRequest
 {
   /// Fails if a limit is negative or NaN, or if the name of an array is empty or used twice.

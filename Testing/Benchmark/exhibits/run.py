@@ -13,7 +13,7 @@ from dataclasses import dataclass
 from typing import Any
 
 import vtkdgg
-from vtkdgg.commands import files
+from vtkdgg.vtk_data import triangulated
 from vtkmodules.vtkIOPLY import vtkPLYWriter
 
 from . import surfaces
@@ -79,7 +79,7 @@ class Run:
             made = surfaces.make(name)
             if made is None:
                 path = os.path.join(self.data, f"{name}.ply")
-                made = files.triangles_of(vtkdgg.read(path).as_polydata(), path)
+                made = triangulated(vtkdgg.read(path).as_polydata(), path)
             self._meshes[name] = made
         return self._meshes[name]
 

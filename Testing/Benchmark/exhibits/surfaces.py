@@ -5,8 +5,7 @@
 import re
 
 import numpy as np
-from vtkdgg import meshes
-from vtkmodules.util.numpy_support import vtk_to_numpy
+import vtkdgg
 
 NAME = re.compile(
     r"^(?P<kind>sphere|bumpy|torus|terrain)-(?P<size>[0-9]+)"
@@ -17,7 +16,13 @@ JITTER = 0.2  # fraction of a mean edge, along the surface
 
 
 def make(name):
-    """A surface by its name, or None.
+    """A surface by its name, or None. See `make_arrays`."""
+    arrays = make_arrays(name)
+    return None if arrays is None else from_arrays(*arrays)
+
+
+def make_arrays(name):
+    """Points and triangles of a surface by its name, or None.
 
     sphere-K and bumpy-K come from an icosahedron split K times (10 * 4^K + 2 vertices), torus-K
     has K rings of K/2 vertices, terrain-K K by K. All but the sphere have vertices moved at random.
@@ -41,13 +46,12 @@ def make(name):
         points = points + away * (size * random.standard_normal(len(points)))[:, None]
     if match["factor"]:
         points = points * [float(match["factor"]), 1.0, 1.0]
-    return from_arrays(points, triangles)
+    return points, triangles
 
 
 def from_arrays(points, triangles):
-    """A surface of these arrays."""
-    surface, _ = meshes.take(points, triangles)
-    return surface
+    """A vtkPolyData of these arrays."""
+    return vtkdgg.Mesh(points, triangles).as_polydata()
 
 
 def icosphere(level):
@@ -140,6 +144,8 @@ def terrain(side, random):
 
 def arrays_of(mesh):
     """Points and triangles of a surface."""
+    from vtkmodules.util.numpy_support import vtk_to_numpy
+
     points = vtk_to_numpy(mesh.GetPoints().GetData()).astype(float)
     triangles = vtk_to_numpy(mesh.GetPolys().GetConnectivityArray()).reshape(-1, 3)
     return points, triangles.astype(np.int64)

@@ -21,6 +21,7 @@ DATA = REPOSITORY / "Testing" / "Data"
 BASELINE = pathlib.Path(__file__).resolve().parent / "Baseline"
 OUTPUT = pathlib.Path(os.environ["DGG_TEST_OUTPUT"])
 PLUGIN = os.environ["DGG_PLUGIN"]
+IS_COMPILED = not PLUGIN.endswith(".py")
 # Largest difference by rounding on another processor, as measured by vtkImageDifference.
 LIMIT = 40.0
 

@@ -301,6 +301,7 @@ for name, color in (("LeftColor", (1, 0, 0)), ("RightColor", (0, 0, 1))):
         graphics = simple.PoissonVectorGraphics(Input=self.mesh, Curves=colors)
         self.run_one(graphics)
 
+    @unittest.skipUnless(support.IS_COMPILED, "readers are compiled classes")
     def test_files(self):
         off = simple.OpenDataFile(str(support.DATA / "tetrahedron.off"))
         self.assertEqual(support.fetch(off).GetNumberOfPoints(), 4)

@@ -164,6 +164,7 @@ class Session(unittest.TestCase):
         self.assertEqual(others.errors, [])
         self.assertGreater(support.fetch(cells, 2).GetNumberOfCells(), 0)
 
+    @unittest.skipUnless(support.IS_COMPILED, "Python filters accept one surface")
     def test_blocks(self):
         """A source belongs to the nearest block; an empty one between them changes nothing."""
         first = support.bumpy()

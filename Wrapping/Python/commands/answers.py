@@ -5,24 +5,23 @@ is one, and returns the answer as a dict."""
 
 import contextlib
 import time
+import types
 import warnings
 
 import numpy as np
 import vtkdgg
-from vtkmodules.util.numpy_support import vtk_to_numpy
 
-from .. import arguments, writing
-from ..distances import FILTERS, set_sources
-from ..errors import run
+from .. import _kernel, arguments, meshes, paths, writing
+from ..distances import METHODS as FUNCTIONS
+from ..errors import call
 from ..graph import MOST_VALUES, even_values, find_isolines
-from ..graph_info import CONSTRUCTIONS, GraphInfo, choose_method, has_graph, set_up
-from ..paths import NotConnectedError
+from ..graph_info import CONSTRUCTIONS, GraphInfo, arrays_of, choose_method
 from ..results import voronoi_of
-from ..surface import configured, named_arrays, with_arrays
+from ..surface import Surface, report_of
 from . import files, places, sizes
 
 # Methods of distances on a mesh.
-METHODS = tuple(FILTERS)
+METHODS = tuple(FUNCTIONS)
 
 
 class Negative(Exception):
@@ -31,8 +30,8 @@ class Negative(Exception):
 
 def read(options):
     """Returns the contents of the file, and true for a cloud or the graph of a cloud."""
-    contents = vtkdgg.read(options.file).as_polydata()
-    graph = GraphInfo.find(contents)
+    contents = vtkdgg.read(options.file)
+    graph = GraphInfo.find(contents.field_data)
     is_cloud = options.cloud or (graph is not None and graph.is_cloud)
     return contents, is_cloud or files.is_cloud(contents)
 
@@ -61,15 +60,16 @@ def graph_of(options, contents, is_cloud=False):
         refuse_on_clouds(options)
         return vtkdgg.CloudGraph(contents)
     accuracy, merging = options.accuracy, {"merge_coincident_points": options.merge}
-    if accuracy is None or options.command == "graph" or not GraphInfo.find(contents):
+    if accuracy is None or options.command == "graph" or not GraphInfo.find(contents.field_data):
         return vtkdgg.Graph(contents, accuracy=accuracy, **merging)
     try:
         made = vtkdgg.Graph(contents, **merging)
-    except ValueError:  # it is damaged
+    except ValueError as error:  # it is damaged
+        warnings.warn(str(error).partition(";")[0], stacklevel=2)
         made = None
     if made is None or not made.used_input_graph:
         return vtkdgg.Graph(contents, accuracy=accuracy, **merging)
-    if not GraphInfo(made.polydata).keeps(accuracy):
+    if not made._info.keeps(accuracy):
         warnings.warn(
             f"--accuracy {accuracy:g} is finer than the graph of {options.file}, which is used; "
             "'vtkdgg graph' builds a finer one",
@@ -84,7 +84,7 @@ def method_of(options, contents, is_cloud):
     if is_cloud:
         refuse_on_clouds(options)
         return method or "graph"
-    return choose_method(method, options.accuracy, contents, METHODS)[0]
+    return choose_method(method, options.accuracy, meshes.take(contents)[0], METHODS)[0]
 
 
 def named(graph):
@@ -130,30 +130,43 @@ def from_file(path, contents):
     return sources
 
 
-def written(options, data, answer=None):
-    """Writes the file if there is --out, and returns its entry of the answer. `answer` names the
-    array that must not be lost; a .npy file holds it alone."""
+def written(options, surface, result=None, graph=None, answer=None):
+    """Writes the file if there is --out, and returns its entry of the answer.
+
+    The surface, result and graph are as for Surface.polydata(). `answer` names the array that must
+    not be lost; a .npy file holds it alone.
+    """
     if options.out is None:
         return {}
-    if answer in writing.left_out(options.out, data):
-        extension = writing.extension_of(options.out)
+    extension = writing.extension_of(options.out)
+    if extension in writing.VTK:
+        vtkdgg.write(options.out, surface.polydata(result, graph))
+        return {"written": options.out}
+    mesh = surface.mesh(result)
+    if answer in writing.left_out(options.out, mesh):
         raise ValueError(f"{options.out}: {extension} cannot store {answer}; .vtk and .vtp can")
-    if answer and writing.extension_of(options.out) == ".npy":
-        values = vtk_to_numpy(data.GetPointData().GetArray(answer))
-        writing.write_numbers(options.out, values)
+    if answer and extension == ".npy":
+        writing.write_numbers(options.out, mesh.point_data[answer])
     else:
-        vtkdgg.write(options.out, data)
+        vtkdgg.write(options.out, mesh)
     return {"written": options.out}
 
 
-def without_graph(data, contents):
-    """Removes the graph, which is far larger than the data, unless the file had one."""
-    fields = data.GetFieldData()
-    if not contents.GetFieldData().HasArray("DGG.Info"):
-        for name in named_arrays(fields):
-            if name.startswith("DGG."):
-                fields.RemoveArray(name)
-    return data
+def graph_to_write(made, contents):
+    """Returns the arrays of a graph if the file had one; otherwise None, because they are far
+    larger than other results."""
+    return made._arrays if "DGG.Info" in contents.field_data else None
+
+
+def at_points(**arrays):
+    """Returns arrays at the points of a surface as a result of the kernel; the first is active."""
+    return types.SimpleNamespace(
+        points=np.empty((0, 3)),
+        point_data=arrays,
+        cell_data={},
+        field_data={},
+        active={"points": next(iter(arrays)), "cells": None},
+    )
 
 
 def spread(values):
@@ -165,39 +178,37 @@ def spread(values):
 
 def info(options):
     """Contents, size and defects of a file."""
-    contents = vtkdgg.read(options.file).as_polydata()
+    contents = vtkdgg.read(options.file)
     kind = "point cloud" if options.cloud else files.kind_of(contents)
+    points = contents.points[np.isfinite(contents.points).all(axis=1)]
+    ends = points.min(axis=0, initial=np.inf), points.max(axis=0, initial=-np.inf)
     found = {
         "kind": kind,
-        "points": contents.GetNumberOfPoints(),
-        "polygons": contents.GetNumberOfPolys() + contents.GetNumberOfStrips(),
-        "bounds": list(contents.GetBounds()),
-        "diagonal": contents.GetLength(),
+        "points": len(contents.points),
+        "polygons": len(contents.polygons[0]) - 1,
+        "bounds": np.transpose(ends).ravel().tolist(),
+        "diagonal": float(np.linalg.norm(ends[1] - ends[0])),
+        "point arrays": list(contents.point_data),
     }
-    found["point arrays"] = list(named_arrays(contents.GetPointData()))
-    if has_graph(contents):
+    if arrays_of(contents.field_data):
         found["graph"] = state_of_graph(contents)
     if kind == "curves":
-        found["lines"] = contents.GetNumberOfLines()
+        found["lines"] = len(contents.lines[0]) - 1
         warnings.warn("there is no surface; --cloud uses the points only", stacklevel=2)
     if kind == "surface":
-        look = configured(vtkdgg.vtkExactGeodesicDistance(), InputData=contents)
-        look.SetSourceIds([0])
-        vtkdgg.check(configured(look, MaximumDistance=0.0))
-        found["area"] = sizes.area(files.triangles_of(contents, options.file))
-        for line in look.GetMeshReport().splitlines():
-            key, _, value = line.partition(": ")
-            found.setdefault(key, number_of(value))
+        found["area"] = sizes.area_of(contents)
+        for key, text in report_of(Surface.of(contents).prepared()).items():
+            found.setdefault(key, number_of(text))
     if kind == "point cloud":
-        cloud = files.finite_points(files.points_of(contents), options.file)
+        cloud = files.finite_points(contents, options.file).points
         spacing = sizes.spacing_of(cloud)
         found.update({"spacing": spacing, "components": sizes.components_of(cloud, spacing)})
     return found
 
 
 def state_of_graph(contents):
-    """Returns what the graph of the contents promises, and if it belongs to them."""
-    graph = GraphInfo.find(contents)
+    """Returns the accuracy of the graph of the contents, and whether it is current."""
+    graph = GraphInfo.find(contents.field_data)
     if graph is None:
         return "damaged: DGG.Info is missing or of another version"
     kind = vtkdgg.CloudGraph if graph.is_cloud else vtkdgg.Graph
@@ -206,7 +217,7 @@ def state_of_graph(contents):
         warnings.simplefilter("ignore")
         try:
             kind(contents, memory_limit=1)  # too little to build another one
-        except vtkdgg.VTKError:
+        except vtkdgg.Error:
             state = "stale: it belongs to other points or cells"
         except (ImportError, ValueError) as error:
             state = str(error)
@@ -234,37 +245,42 @@ def graph(options):
         "bytes": made.nbytes,
         **named(made),
         "seconds": time.perf_counter() - start,
-        **written(options, made.polydata),
+        **written(options, made._surface, None, made._arrays),
     }
 
 
-def find_distances(options, contents, is_cloud=False, **choices):
-    """Returns the contents with distances from the sources, and entries that name the method."""
+def find_distances(options, contents, is_cloud=False, maximum=None):
+    """Returns surface, result and graph for written(), and entries that name the method."""
     sources = sources_of(options, contents)
-    choices.update(projection_tolerance=options.tolerance, as_polydata=True)
     method = method_of(options, contents, is_cloud)
     if method == "graph":
         made = graph_of(options, contents, is_cloud)
-        return made.distance(sources, **choices), named(made)
-    output = vtkdgg.distance(
-        files.points_of(contents) if is_cloud else contents,
+        result = made._distance(
+            sources, maximum, None, options.tolerance, generate_nearest_source=True
+        )
+        return made._surface, result, graph_to_write(made, contents), named(made)
+    if is_cloud:
+        contents = files.points_of(contents)
+    values = vtkdgg.distance(
+        contents,
         sources,
         method=method,
+        maximum_distance=maximum,
         merge_coincident_points=options.merge,
-        **choices,
+        projection_tolerance=options.tolerance,
     )
-    return output, {"method": method}
+    surface = Surface.of(contents)
+    if "DGG.Info" not in contents.field_data:
+        surface = surface.copy()  # without other arrays of a graph, which is damaged
+    return surface, at_points(GeodesicDistance=values), None, {"method": method}
 
 
 def distance(options):
     """Distances of all points from the nearest source."""
-    contents, is_cloud = read(options)
-    output, used = find_distances(options, contents, is_cloud, maximum_distance=options.maximum)
-    output = without_graph(output, contents)
-    values = vtk_to_numpy(output.GetPointData().GetArray("GeodesicDistance"))
-    output.GetPointData().SetActiveScalars("GeodesicDistance")
+    *output, used = find_distances(options, *read(options), options.maximum)
+    values = output[1].point_data["GeodesicDistance"]
     found = {**used, "points": len(values), **spread(values)}
-    return {**found, **written(options, output, "GeodesicDistance")}
+    return {**found, **written(options, *output, "GeodesicDistance")}
 
 
 def matrix(options):
@@ -296,28 +312,32 @@ def path(options):
     """Shortest path between two points."""
     contents, is_cloud = read(options)
     ends = [places.choose(getattr(options, name), contents, name) for name in ("start", "end")]
-    tolerance = options.tolerance
     used = {"method": method_of(options, contents, is_cloud)}
     try:
         if used["method"] == "graph":
             made = graph_of(options, contents, is_cloud)
-            used = named(made)
-            output = made.path(*ends, projection_tolerance=tolerance, as_polydata=True)
+            surface, used = made._surface, named(made)
+            result = made._path(*ends, projection_tolerance=options.tolerance)
         else:
-            output = vtkdgg.path(
-                contents,
-                *ends,
-                method="exact",
-                merge_coincident_points=options.merge,
-                projection_tolerance=tolerance,
-                as_polydata=True,
-            )
-    except NotConnectedError as error:
+            surface, prepared, tolerance = exact_input(options, contents)
+            ends = [
+                arguments.surface_point(end, name, surface)
+                for end, name in zip(ends, ("start", "end"))
+            ]
+            result = paths.find(prepared, *ends, method="Exact", **tolerance)
+    except paths.NotConnectedError as error:
         raise Negative(str(error)) from None
-    length = output.GetCellData().GetArray("Length").GetValue(0)
-    points = vtk_to_numpy(output.GetPoints().GetData())
+    length = float(result.cell_data["Length"][0])
+    points = result.points
     found = {"length": length, "points": points.tolist() if options.json else len(points)}
-    return {**used, **found, **written(options, output)}
+    return {**used, **found, **written(options, surface, result)}
+
+
+def exact_input(options, contents):
+    """Returns a surface, that of the kernel, and the tolerance of points as an option."""
+    surface, _ = meshes.take(contents)
+    tolerance = arguments.projection_tolerance(options.tolerance)
+    return surface, surface.prepared(options.merge), {"projection_tolerance": tolerance}
 
 
 def loop(options):
@@ -327,21 +347,15 @@ def loop(options):
         raise ValueError("--through: expected points for a rope, got none")
     points = several(options.through, contents, "--through") if options.through else None
     made = graph_of(options, contents)
-    output = made.loop(
-        points,
-        rope=options.rope,
-        taut=options.taut,
-        projection_tolerance=options.tolerance,
-        as_polydata=True,
-    )
-    if output.GetNumberOfLines() == 0:
+    result = made._loops(points, options.rope, options.taut, options.tolerance)
+    lengths = result.cell_data.get("Length", np.empty(0))
+    if len(lengths) == 0:
         raise Negative("every loop contracts to a point")
-    lengths = vtk_to_numpy(output.GetCellData().GetArray("Length"))
     return {
         **named(made),
         "loops": len(lengths),
         "lengths": lengths.tolist(),
-        **written(options, output),
+        **written(options, made._surface, result),
     }
 
 
@@ -350,32 +364,26 @@ def isolines(options):
     contents = surface_of(options)
     sources = sources_of(options, contents)
     method = options.method or "graph"
-    choose_method(method, options.accuracy, contents, METHODS[:2])
+    choose_method(method, options.accuracy, meshes.take(contents)[0], METHODS[:2])
     if method == "exact":
-        used, graph_info = {"method": method}, None
-        field = exact_windows(options, contents, sources)
+        used = {"method": method}
+        surface, prepared, tolerance = exact_input(options, contents)
+        sources = arguments.surface_points(sources, "sources", surface).in_kernel()
+        field = call(
+            _kernel.exact_distance, prepared, sources, generate_windows=True, **tolerance
+        )
     else:
         made = graph_of(options, contents)
-        used, graph_info = named(made), GraphInfo(made.polydata)
+        used, surface, prepared = named(made), made._surface, made._prepared
         field = made._field(sources, None, options.tolerance)
-    distances = vtk_to_numpy(field.GetPointData().GetArray("GeodesicDistance"))
-    output = find_isolines(field, values_of(options, distances), options.merge, graph_info)
-    found = vtk_to_numpy(output.GetCellData().GetArray("IsoValue"))
+    values = values_of(options, field.point_data["GeodesicDistance"])
+    lines = find_isolines(prepared, field, values)
     return {
         **used,
-        "lines": output.GetNumberOfLines(),
-        "values": np.unique(found).tolist(),
-        **written(options, output),
+        "lines": len(lines.cells["lines"][0]) - 1,
+        "values": np.unique(lines.cell_data["IsoValue"]).tolist(),
+        **written(options, surface, lines),
     }
-
-
-def exact_windows(options, contents, sources):
-    """Returns the contents with exact distances, at points and inside triangles."""
-    solve = vtkdgg.vtkExactGeodesicDistance()
-    solve.GenerateWindowsOn()
-    set_up(solve, contents, options.merge, 0.0, options.tolerance)
-    set_sources(solve, arguments.surface_points(sources, "sources", contents), None)
-    return run(solve)
 
 
 def values_of(options, distances):
@@ -411,73 +419,71 @@ def voronoi(options):
         sites = several(options.site, contents, "--site")
     else:
         sites = made.sample(20 if options.number is None else options.number).point_ids
-    divide = made._divide(sites, options.iterations, options.tolerance)
-    cells = voronoi_of(divide)
+    surface, _, polygons, moved = made._divide(sites, options.iterations, options.tolerance)
+    cells = voronoi_of(surface, moved)
     radius = spread(cells.distances)["largest"]
     found = {**named(made), "sites": len(cells.sites), "covering radius": radius}
     if cells.areas is not None:
         found["areas"] = cells.areas.tolist()
     if options.out:
+        output = polygons, None, "SiteId"
         if made.is_cloud or writing.extension_of(options.out) in writing.TABLES:
-            answer = "GeodesicSource"
-            fields = {answer: cells.nearest, "GeodesicDistance": cells.distances}
-            output = with_arrays(made.polydata, fields)
-        else:
-            answer = "SiteId"
-            output = divide.GetCells()
-        found.update(written(options, without_graph(output, contents), answer))
+            result = at_points(GeodesicSource=cells.nearest, GeodesicDistance=cells.distances)
+            output = result, graph_to_write(made, contents), "GeodesicSource"
+        found.update(written(options, made._surface, *output))
     return found
 
 
 def sample(options):
     """Evenly spread points."""
     made = graph_of(options, *read(options))
-    output = made.sample(
-        options.number, first=options.first, in_faces=options.in_faces, as_polydata=True
-    )
-    radii = vtk_to_numpy(output.GetPointData().GetArray("CoveringRadius"))
+    result = made._samples(options.number, options.first, in_faces=options.in_faces)
     return {
         **named(made),
-        "samples": output.GetNumberOfPoints(),
-        "ids": vtk_to_numpy(output.GetPointData().GetArray("vtkOriginalPointIds")).tolist(),
-        "covering radius": float(radii[-1]),
-        **written(options, output),
+        "samples": len(result.points),
+        "ids": result.point_data["vtkOriginalPointIds"].tolist(),
+        "covering radius": float(result.point_data["CoveringRadius"][-1]),
+        **written(options, made._surface, result),
     }
 
 
 def greens(options):
     """Green's functions of the Laplacian."""
     contents = surface_of(options)
-    output = vtkdgg.greens_function(
+    values = vtkdgg.greens_function(
         contents,
         sources_of(options, contents),
         method=options.method,
         boundary=options.boundary,
         merge_coincident_points=options.merge,
         projection_tolerance=options.tolerance,
-        as_polydata=True,
     )
-    values = vtk_to_numpy(output.GetPointData().GetArray("GreensFunction")).reshape(
-        output.GetNumberOfPoints(), -1
-    )
+    columns = values.reshape(len(values), -1)
+    result = at_points(GreensFunction=values)
     return {
-        "points": values.shape[0],
-        "sources": values.shape[1],
-        "smallest": values.min(axis=0).tolist(),
-        "largest": values.max(axis=0).tolist(),
-        **written(options, output, "GreensFunction"),
+        "points": columns.shape[0],
+        "sources": columns.shape[1],
+        "smallest": columns.min(axis=0).tolist(),
+        "largest": columns.max(axis=0).tolist(),
+        **written(options, Surface.of(contents), result, None, "GreensFunction"),
     }
 
 
 def render(options):
     """Picture of a surface with distances and isolines, or with another array."""
-    from .. import pictures  # rendering takes long to import
+    from vtkmodules.util.numpy_support import vtk_to_numpy
 
-    contents = surface_of(options)
+    from .. import pictures  # rendering takes long to import
+    from ..vtk_data import named_arrays, triangulated
+
+    mesh = surface_of(options)
     source = None
     if options.source or options.sources or options.source_file:
-        contents, _ = find_distances(options, contents)
-        source, _ = places.locate(contents, sources_of(options, contents)[0])
+        surface, result, _, _ = find_distances(options, mesh)
+        contents = surface.polydata(result)
+        source, _ = places.locate(contents, sources_of(options, mesh)[0])
+    else:
+        contents = mesh.as_polydata()
     array = contents.GetPointData().GetArray(options.array)
     if array is None or array.GetNumberOfComponents() > 1:
         known = ", ".join(named_arrays(contents.GetPointData())) or "none"
@@ -488,7 +494,7 @@ def render(options):
             f"{options.file}: there is no point array {options.array!r} with one component (found: "
             f"{known}); {remedy}"
         )
-    mesh = files.triangles_of(contents, options.file)
+    mesh = triangulated(contents, options.file)
     values = vtk_to_numpy(mesh.GetPointData().GetArray(options.array))
     found = {**spread(values), "written": options.out}
     view = pictures.view_of(mesh, options.view) if options.view else None
@@ -502,13 +508,15 @@ def render(options):
 def explore(options):
     """Window on a surface or a cloud, for clicks and drags."""
     from .. import explorer
+    from .methods import cloud_builder
 
     contents, is_cloud = read(options)
     if is_cloud:
         refuse_on_clouds(options)
-        files.make_graph(contents)  # an error where there are none of clouds
+        cloud_builder(None)  # an error where there are none of clouds
         contents = files.finite_points(contents, options.file)
     place = places.choose(options.source, contents)
+    contents = contents.as_polydata()
     if is_cloud and place is not None and not isinstance(place, int):
         place = contents.FindPoint(place)
     elif isinstance(place, tuple):

@@ -7,7 +7,7 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkDoubleArray
 from vtkmodules.vtkFiltersModeling import vtkDijkstraGraphGeodesicPath
 
-from ..surface import configured, coordinates_of
+from ..vtk_data import configured, coordinates_of
 
 # Relative rounding error of sums of many lengths.
 TOLERANCE = 1e-9

@@ -6,7 +6,7 @@ import math
 
 import numpy as np
 
-from .. import arguments, pictures
+from .. import pictures, vtk_data
 
 # Smallest diameter of a disc in pixels.
 PIXELS = 3.0
@@ -24,7 +24,7 @@ def save_distances(path, points, distances, spacings, curve, lines):
     `spacings` is the spacing around each point, `curve` the points of the path, and `lines` the
     text below the scalar bar.
     """
-    cloud = arguments.polydata(np.asarray(points, dtype=float))
+    cloud = vtk_data.points_polydata(np.asarray(points, dtype=float))
     size = pictures.size_of(cloud)
     high = float(np.nanmax(distances)) or 1.0
     table = pictures.lookup_table(pictures.DISTANCE_COLORS, 0.0, high, UNREACHED)
@@ -64,7 +64,7 @@ def make_bands(table, width):
 def tube(curve, radius, color=(0.86, 0.12, 0.16)):
     """Returns an actor of a tube along a polyline."""
     actor = pictures.tubes(
-        arguments.polyline(np.ascontiguousarray(curve)), radius, color, sides=12, is_capped=True
+        vtk_data.polyline(np.ascontiguousarray(curve)), radius, color, sides=12, is_capped=True
     )
     actor.GetProperty().SetSpecular(0.3)
     return actor

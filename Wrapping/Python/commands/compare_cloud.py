@@ -10,10 +10,10 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 
 from ..checks import counted
 from ..pictures import spacings_of
-from ..surface import coordinates_of, with_arrays
+from ..vtk_data import coordinates_of, with_arrays
 from . import bounds, cloud_pictures, places
-from .files import are_finite, make_graph, points_of
-from .methods import Graph, Path, Query
+from .files import are_finite, points_of
+from .methods import Graph, Path, Query, cloud_builder
 from .output import defects, distance_rows, graph_rows, position
 
 # Relative rounding error of edge lengths.
@@ -29,13 +29,13 @@ def far_point(points, component):
 
 def on_cloud(options, contents, read_time):
     """Returns the rows of the table of a cloud, notes and violations."""
-    cloud = points_of(contents)
-    points = coordinates_of(cloud)
-    finite = are_finite(cloud, options.mesh)
+    points = contents.points
+    finite = are_finite(contents, options.mesh)
+    cloud = points_of(contents).as_polydata()
     source = places.choose(options.source, cloud)
     if isinstance(source, int) and not finite[source]:
         raise ValueError(f"--source {source}: this point is not finite")
-    graph = Graph(make_graph(cloud))
+    graph = Graph(cloud_builder(cloud))
     components = graph.output.GetPointData().GetArray(graph.filter.GetComponentArrayName())
     component = vtk_to_numpy(components)
     if source is None:

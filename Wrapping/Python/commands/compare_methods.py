@@ -10,7 +10,7 @@ import vtkdgg
 from vtkmodules.vtkRenderingCore import vtkRenderer
 
 from .. import pictures
-from ..surface import configured, with_arrays
+from ..vtk_data import configured, with_arrays
 from .measured import Errors
 from .methods import field, methods
 from .sizes import floor_of

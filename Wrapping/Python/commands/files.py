@@ -3,31 +3,22 @@
 """Kinds of contents of files: surfaces, curves and clouds."""
 
 import argparse
+import importlib.util
 import os
 
 import numpy as np
-import vtkdgg
-from vtkmodules.vtkCommonDataModel import vtkPolyData
-from vtkmodules.vtkFiltersCore import vtkTriangleFilter
 
-from .. import arguments, writing
-from ..surface import configured, coordinates_of
-
-
-def triangles_of(contents, path):
-    """Returns the triangles; polygons and strips are triangulated, lines and vertices removed."""
-    triangulate = configured(vtkTriangleFilter(), InputData=contents, PassLines=False)
-    mesh = vtkdgg.check(configured(triangulate, PassVerts=False))
-    if mesh.GetNumberOfPolys() == 0:
-        raise ValueError(f"{path}: contains no surface")
-    return mesh
+from .. import writing
+from ..errors import missing_vtk
+from ..mesh import Mesh
+from ..surface import Surface
 
 
 def kind_of(contents):
-    """Returns the kind of contents: a surface if there is any polygon."""
-    if contents.GetNumberOfPolys() + contents.GetNumberOfStrips() > 0:
+    """Returns the kind of a Mesh: a surface if there is any polygon."""
+    if len(contents.polygons[0]) > 1:
         return "surface"
-    return "curves" if contents.GetNumberOfLines() > 0 else "point cloud"
+    return "curves" if len(contents.lines[0]) > 1 else "point cloud"
 
 
 def is_cloud(contents):
@@ -46,28 +37,22 @@ def refuse_on_clouds(options, *names):
 
 
 def points_of(contents):
-    """Returns the points alone, with their normals if there are any."""
-    cloud = configured(vtkPolyData(), Points=contents.GetPoints())
-    cloud.GetPointData().SetNormals(contents.GetPointData().GetNormals())
+    """Returns the points of a Mesh alone, with their normals if there are any."""
+    normals = Surface.of(contents).normals
+    cloud = Mesh(contents.points, point_data={} if normals is None else {"Normals": normals})
+    cloud._is_single = contents._is_single
     return cloud
 
 
-def make_graph(contents):
-    """Returns the filter that builds the graph of these points."""
-    if not hasattr(vtkdgg, "vtkPointCloudDGG"):
-        raise ValueError("this vtkDGG has no graphs of point clouds: build it with DGG_WITH_PCL")
-    return configured(vtkdgg.vtkPointCloudDGG(), InputData=contents)
-
-
 def finite_points(contents, path):
-    """Returns the contents, or only the finite points if some are not finite."""
+    """Returns the Mesh, or only the finite points if some are not finite."""
     finite = are_finite(contents, path)
-    return contents if finite.all() else arguments.polydata(coordinates_of(contents)[finite])
+    return contents if finite.all() else Mesh(contents.points[finite])
 
 
 def are_finite(contents, path):
     """Returns true for each finite point. A cloud without one is an error."""
-    finite = np.isfinite(coordinates_of(contents)).all(axis=1)
+    finite = np.isfinite(contents.points).all(axis=1)
     if not finite.any():
         raise ValueError(f"{path}: none of its points is finite")
     return finite
@@ -92,4 +77,6 @@ def writable(path, kind):
     if folder and not os.path.isdir(folder):
         raise argparse.ArgumentTypeError(f"{path}: the folder {folder} does not exist")
     writing.check_writable(path)
+    if writing.extension_of(path) in writing.VTK and importlib.util.find_spec("vtkmodules") is None:
+        raise missing_vtk(f"{path}: writing this format")
     return path

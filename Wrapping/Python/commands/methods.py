@@ -8,10 +8,8 @@ import time
 import vtkdgg
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
-from .. import arguments
-from ..paths import set_pairs
-from ..surface import configured
-from .places import add_source
+from .. import filters
+from ..vtk_data import configured
 
 NUMBER_OF_QUERIES = 9
 
@@ -40,7 +38,8 @@ class Direct:
         if self.filter.GetNumberOfInputConnections(0) == 0:
             self.filter.SetInputData(mesh)
         configured(self.filter, MergeCoincidentPoints=merge, ProjectionTolerance=tolerance)
-        add_source(self.filter, mesh, source)
+        points = filters.surface_point(source, "--source", mesh)
+        filters.set_points(self.filter, "Source", points)
         self.output, self.time = update(self.filter)
 
     @property
@@ -80,10 +79,10 @@ class Path:
         self.filter = configured(vtkdgg.vtkDGGPath(), InputConnection=port)
         self.filter.SetProjectionTolerance(tolerance)
         ends = (
-            arguments.surface_point(end, "--source", graph.output, is_cloud=True)
+            filters.surface_point(end, "--source", graph.output, is_cloud=True)
             for end in (source, point)
         )
-        set_pairs(self.filter, *ends)
+        filters.set_pair(self.filter, *ends)
         self.output, self.time = update(self.filter)
         self.length = self.output.GetCellData().GetArray("Length").GetValue(0)
 
@@ -123,6 +122,13 @@ def builder(mesh, construction, accuracy=0.01, neighbors=30, merge=False):
         NumberOfNeighbors=neighbors,
         MergeCoincidentPoints=merge,
     )
+
+
+def cloud_builder(cloud):
+    """Returns the vtkPointCloudDGG of a cloud before its update."""
+    if not hasattr(vtkdgg._kernel, "cloud_graph"):
+        raise ValueError("this vtkDGG has no graphs of point clouds: build it with DGG_WITH_PCL")
+    return configured(vtkdgg.vtkPointCloudDGG(), InputData=cloud)
 
 
 def methods(mesh, accuracy, merge=False, neighbors=30):

@@ -3,7 +3,6 @@
 """Tables that commands print, and rows that the comparisons of meshes and clouds share."""
 
 import numpy as np
-from vtkmodules.vtkCommonCore import vtkSMPTools
 
 from ..checks import counted
 from .words import notes_of
@@ -31,6 +30,8 @@ def position(location, point=None):
 
 def graph_rows(graph, query, more=""):
     """Returns rows on the size of a graph, followed by the text `more`, and on times."""
+    from vtkmodules.vtkCommonCore import vtkSMPTools
+
     size = graph.filter.GetMemorySize() / 1e6
     threads = counted(vtkSMPTools.GetEstimatedNumberOfThreads(), "thread")
     return (

@@ -5,18 +5,14 @@
 import math
 
 import numpy as np
-import vtkdgg
-from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkFiltersCore import vtkPolyDataConnectivityFilter
 
-from .. import arguments
-from ..surface import closest_cell, configured, coordinates_of, locator_of, with_arrays
+from .. import arguments, meshes
 
 #: Syntax of a surface point.
 POINT = "ID|X,Y,Z|face:ID:B0,B1,B2"
 
 
-def choose(text, mesh, name="--source", only_ids=False):
+def choose(text, contents, name="--source", only_ids=False):
     """Returns a point id (int), coordinates (list of 3 floats) or a pair (face, barycentric
     coordinates) for a text, and None for None.
 
@@ -41,9 +37,10 @@ def choose(text, mesh, name="--source", only_ids=False):
     except ValueError:
         known = "" if only_ids else ", X,Y,Z or face:ID:B0,B1,B2"
         raise ValueError(f"{name} {text or repr(text)}: expected a point id{known}") from None
+    surface, _ = meshes.take(contents)
     if isinstance(source, tuple):
-        arguments.surface_point(source, f"{name} {text}", mesh)
-    count = mesh.GetNumberOfPoints()
+        arguments.surface_point(source, f"{name} {text}", surface)
+    count = surface.number_of_points
     if isinstance(source, int) and not 0 <= source < count:
         raise ValueError(f"{name} {source}: expected a point id from 0 to {count - 1}")
     return source
@@ -51,23 +48,24 @@ def choose(text, mesh, name="--source", only_ids=False):
 
 def in_triangles(source, contents):
     """Returns the pair (face, barycentric coordinates) with the id in triangles_of()."""
-    first = arguments.first_polygon(contents)
-    offsets = vtk_to_numpy(contents.GetPolys().GetOffsetsArray())
-    return int((np.diff(offsets[: source[0] - first + 1]) - 2).sum()), source[1]
-
-
-def add_source(algorithm, mesh, source):
-    """Sets the source of a filter to one that choose() has returned."""
-    points = arguments.surface_point(source, "--source", mesh)
-    arguments.set_points(algorithm, "Source", points)
+    surface, _ = meshes.take(contents)
+    offsets = surface.polygons[0][: source[0] - surface.first_polygon + 1]
+    return int((np.diff(offsets) - 2).sum()), source[1]
 
 
 def far_point(mesh):
-    """Returns the id of the point of the largest component that is farthest from the center."""
+    """Returns the id of the point of the largest component of a vtkPolyData that is farthest from
+    the center."""
+    from vtkmodules.util.numpy_support import vtk_to_numpy
+    from vtkmodules.vtkFiltersCore import vtkPolyDataConnectivityFilter
+
+    from ..pipeline import check
+    from ..vtk_data import configured, coordinates_of, with_arrays
+
     numbered = with_arrays(mesh, {"Id": np.arange(mesh.GetNumberOfPoints())})
     largest = configured(vtkPolyDataConnectivityFilter(), InputData=numbered)
     largest.SetExtractionModeToLargestRegion()
-    piece = vtkdgg.check(largest)
+    piece = check(largest)
     used = np.unique(vtk_to_numpy(piece.GetPolys().GetConnectivityArray()))
     used = vtk_to_numpy(piece.GetPointData().GetArray("Id"))[used]
     offset = coordinates_of(mesh)[used] - np.array(mesh.GetCenter())
@@ -75,10 +73,12 @@ def far_point(mesh):
 
 
 def locate(mesh, source):
-    """Returns the coordinates of a source on the surface, and the corners of its triangle."""
+    """Returns the coordinates of a source on a vtkPolyData, and the corners of its triangle."""
+    from ..vtk_data import closest_cell, locator_of
+
     if isinstance(source, int):
         return np.array(mesh.GetPoint(source)), [source]
     if isinstance(source, tuple):
-        points = arguments.surface_point(source, "--source", mesh)
+        points = arguments.surface_point(source, "--source", meshes.take(mesh)[0])
         return points.positions()[0], points.corners()[0].tolist()
     return closest_cell(locator_of(mesh), source)

@@ -4,8 +4,6 @@
 
 import re
 
-from ..errors import in_arguments
-
 # Help of the explorer.
 HELP = """click: source of the distances, then the end of a path, then the corner of a loop
 drag: move a marker; beside the surface, or with Ctrl, rotate the camera
@@ -22,7 +20,27 @@ x: export what is shown (.vtp, .csv)
 h: this help
 q: quit"""
 
-
+# Properties of filters that are arguments of functions.
+_ARGUMENTS = {
+    "Accuracy": "accuracy",
+    "Alpha": "alpha",
+    "Boundary": "boundary",
+    "Construction": "construction",
+    "FirstSample": "first",
+    "InFaces": "in_faces",
+    "MaximumDistance": "maximum_distance",
+    "MemoryLimit": "memory_limit",
+    "MergeCoincidentPoints": "merge_coincident_points",
+    "MergeTolerance": "merge_tolerance",
+    "Method": "method",
+    "NumberOfIterations": "iterations",
+    "NumberOfNeighbors": "number_of_neighbors",
+    "NumberOfSamples": "number_of_samples",
+    "ProjectionTolerance": "projection_tolerance",
+    "Resolution": "resolution",
+    "SourceIds": "sources",
+}
+_PROPERTY = re.compile(rf"\b({'|'.join(_ARGUMENTS)})\b")
 # Arguments of functions, and the options that set them.
 OPTIONS = {
     "accuracy": "--accuracy",
@@ -37,6 +55,11 @@ OPTIONS = {
     "projection_tolerance": "--tolerance",
     "values": "--values",
 }
+
+
+def in_arguments(text):
+    """Returns a message of a filter with arguments, in backticks, in place of properties."""
+    return _PROPERTY.sub(lambda match: f"`{_ARGUMENTS[match[1]]}`", text)
 
 
 def in_options(text):

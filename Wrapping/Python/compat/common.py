@@ -9,8 +9,8 @@ from typing import Any, Callable, NoReturn
 import numpy as np
 
 from .. import arguments
-from ..distances import field_of, set_sources
-from ..errors import run
+from ..distances import field_of, field_options
+from ..errors import call
 
 
 def missing(name: str, remedy: str) -> Callable[..., NoReturn]:
@@ -24,15 +24,15 @@ def missing(name: str, remedy: str) -> Callable[..., NoReturn]:
     return refuse
 
 
-def find_distances(solver, sources, max_distance=np.inf, initial_distances=None):
-    """Returns distances, infinite where unreached, and the index of the nearest source."""
-    sources = arguments.surface_points(sources, "sources", solver.GetInput())
-    set_sources(solver, sources, initial_distances)
-    solver.SetMaximumDistance(arguments.limit(max_distance, "max_distance"))
-    solver.SetUnreachedValue(np.inf)
-    solver.GenerateNearestSourceOn()
-    run(solver)
-    return field_of(solver, True)
+def find_distances(
+    function, surface, prepared, sources, max_distance=np.inf, initial_distances=None, **options
+):
+    """Returns distances by a function of the kernel, infinite where unreached, and the index of the
+    nearest source."""
+    sources = arguments.surface_points(sources, "sources", surface)
+    options.update(field_options(sources, max_distance, initial_distances, None))
+    options.update(unreached_value=np.inf, generate_nearest_source=True)
+    return field_of(call(function, prepared, sources.in_kernel(), **options), True)
 
 
 def vertices(indices, name, count):

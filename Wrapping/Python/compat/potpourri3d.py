@@ -12,12 +12,11 @@ from typing import TYPE_CHECKING, Any, List, Optional, Sequence, Tuple
 
 import numpy as np
 
-from .. import arguments, meshes
+from .. import _kernel, arguments, meshes
 from ..cloud_graph import CloudGraph
 from ..graph import Graph
 from ..mesh import Mesh
 from ..reading import read
-from ..vtkDGGFiltersGeodesic import vtkDGGFastMarchingDistance, vtkHeatGeodesicDistance
 from ..writing import write
 from .common import find_distances, missing, vertices
 
@@ -73,13 +72,15 @@ class _HeatSolver:
     """The heat method on a surface, prepared once."""
 
     def __init__(self, V: ArrayLike, F: ArrayLike, t_coef: float = 1.0) -> None:
-        self._solver = vtkHeatGeodesicDistance()
-        self._solver.SetInputData(meshes.from_arrays(V, F))
-        self._solver.SetTimeStepFactor(arguments.number(t_coef, "t_coef"))
+        self._surface = meshes.from_arrays(V, F)
+        self._prepared = self._surface.prepared()
+        self._options = {"time_step_factor": arguments.number(t_coef, "t_coef")}
 
     def _find(self, indices):
-        count = self._solver.GetInput().GetNumberOfPoints()
-        return find_distances(self._solver, vertices(indices, "sources", count))[0]
+        sources = vertices(indices, "sources", self._surface.number_of_points)
+        return find_distances(
+            _kernel.heat_distance, self._surface, self._prepared, sources, **self._options
+        )[0]
 
 
 class MeshHeatMethodDistanceSolver(_HeatSolver):
@@ -89,7 +90,7 @@ class MeshHeatMethodDistanceSolver(_HeatSolver):
         self, V: ArrayLike, F: ArrayLike, t_coef: float = 1.0, use_robust: bool = True
     ) -> None:
         super().__init__(V, F, t_coef)
-        self._solver.SetIntrinsicDelaunay(bool(use_robust))
+        self._options["intrinsic_delaunay"] = bool(use_robust)
 
     def compute_distance(self, v_ind: int) -> NDArray[np.float64]:
         """Returns distances from a vertex."""
@@ -129,8 +130,8 @@ class MeshFastMarchingDistanceSolver:
     """Distances on a triangle mesh by fast marching."""
 
     def __init__(self, V: ArrayLike, F: ArrayLike) -> None:
-        self._solver = vtkDGGFastMarchingDistance()
-        self._solver.SetInputData(meshes.from_arrays(V, F))
+        self._surface = meshes.from_arrays(V, F)
+        self._prepared = self._surface.prepared()
 
     def compute_distance(
         self,
@@ -148,7 +149,7 @@ class MeshFastMarchingDistanceSolver:
                 "compute_distance is not available for signs, edges and curves of several points. "
                 f"{_UNSIGNED}"
             )
-        count = self._solver.GetInput().GetNumberOfPoints()
+        count = self._surface.number_of_points
         sources: List[Any] = []
         for ((element, weights),) in curves:
             weights = [*weights, 1.0 - sum(weights)] if len(weights) == 2 else list(weights)
@@ -157,7 +158,13 @@ class MeshFastMarchingDistanceSolver:
             else:
                 sources += vertices([element], "curves", count)
         initial = [distance for curve in distances for distance in curve] or None
-        return find_distances(self._solver, sources, initial_distances=initial)[0]
+        return find_distances(
+            _kernel.fast_marching_distance,
+            self._surface,
+            self._prepared,
+            sources,
+            initial_distances=initial,
+        )[0]
 
 
 class EdgeFlipGeodesicSolver:
@@ -284,7 +291,7 @@ def validate_mesh(
     """Raises a ValueError if points or polygons have the wrong shape or type, or an index does not
     exist."""
     surface = meshes.from_arrays(V, F)
-    if force_triangular and surface.GetPolys().GetMaxCellSize() > 3:
+    if force_triangular and (np.diff(surface.polygons[0]) > 3).any():
         raise ValueError("triangles: some polygons have more than three corners")
 
 

@@ -77,7 +77,7 @@ constexpr const char* ProbeDocumentation =
   "Error\n"
   "    For an invalid distance or point.\n";
 
-/// Distances and what determines them inside triangles.
+/// Distances, with the windows or virtual sources that interpolate them.
 class Field
 {
 public:

@@ -155,7 +155,7 @@ std::shared_ptr<const void> MakeOwner(const py::dict& arrays)
   });
 }
 
-/// Returns what identifies the arrays while somebody owns them.
+/// Returns the key of the arrays, which is valid while they exist.
 dgg::PreparedGraph::Key MakeKey(const dgg::GraphView& graph)
 {
   return { reinterpret_cast<std::uintptr_t>(graph.Offsets),

@@ -8,9 +8,8 @@ from typing import TYPE_CHECKING, Optional, Tuple
 
 import numpy as np
 
-from ... import arguments, meshes
-from ...paths import find
-from ...vtkDGGFiltersGeodesic import vtkDGGPath, vtkExactGeodesicDistance
+from ... import _kernel, arguments, meshes
+from ...paths import find, paths_of
 from ..common import find_distances, vertices
 
 if TYPE_CHECKING:
@@ -23,25 +22,21 @@ class PyGeodesicAlgorithmExact:
     """Exact distances and paths on one mesh."""
 
     def __init__(self, _points: ArrayLike, _faces: ArrayLike) -> None:
-        surface = meshes.from_arrays(_points, _faces)
-        self._solver = vtkExactGeodesicDistance()
-        self._finder = vtkDGGPath()
-        self._finder.SetMethodToExact()
-        for algorithm in (self._solver, self._finder):
-            algorithm.SetInputData(surface)
+        self._surface = meshes.from_arrays(_points, _faces)
+        self._prepared = self._surface.prepared()
 
     def geodesicDistance(
         self, sourceIndex: int, targetIndex: int
     ) -> Tuple[float, NDArray[np.float64]]:
         """Returns the distance between two vertices, and the points of the path from the target
         back to the source, shape (k, 3)."""
-        surface = self._finder.GetInput()
-        count = surface.GetNumberOfPoints()
+        surface = self._surface
+        count = surface.number_of_points
         ends = (
             arguments.surface_points([arguments.point_id(index, name, count)], name, surface)
             for index, name in ((sourceIndex, "sourceIndex"), (targetIndex, "targetIndex"))
         )
-        found = find(self._finder, *ends)[0]
+        found = paths_of(find(self._prepared, *ends, method="Exact"), 1)[0]
         return found.length, found.points[::-1].copy()
 
     def geodesicDistances(
@@ -52,9 +47,11 @@ class PyGeodesicAlgorithmExact:
     ) -> Tuple[NDArray[np.float64], NDArray[np.int32]]:
         """Returns distances of the targets (default: all vertices) from the nearest source (default:
         vertex 0), infinite where unreached, and the index of that source."""
-        count = self._solver.GetInput().GetNumberOfPoints()
+        count = self._surface.number_of_points
         sources = vertices([0] if source_indices is None else source_indices, "sources", count)
-        distances, nearest = find_distances(self._solver, sources, max_distance)
+        distances, nearest = find_distances(
+            _kernel.exact_distance, self._surface, self._prepared, sources, max_distance
+        )
         if target_indices is not None:
             targets = vertices(target_indices, "target_indices", count)
             distances, nearest = distances[targets], nearest[targets]

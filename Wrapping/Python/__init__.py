@@ -1,0 +1,109 @@
+# SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Geodesic distances on meshes and point clouds.
+
+`read`, `write`, `Mesh`
+    files, and a mesh in NumPy arrays,
+`distance`, `path`
+    on a mesh, in one call,
+`Graph`, `CloudGraph`
+    for many calls: a graph of a mesh or cloud is built once; distances, paths and more then take
+    milliseconds,
+`greens_function`, `biharmonic`, `earth_movers`, `interpolate`
+    functions based on the Laplacian of a mesh,
+`show_progress`
+    turns progress bars on or off,
+`vtkdgg.compat`
+    functions and classes with the names and arguments of other packages, one submodule for each.
+
+With VTK there are also the filters (``from vtkdgg import vtkExactGeodesicDistance``), and
+
+`check`
+    update an algorithm; a VTK error becomes a Python exception, a `VTKError`,
+`vtkdgg.explorer`
+    a window to explore a mesh or cloud by clicks and drags,
+`vtkdgg.pictures`
+    colors of distances and errors, actors of clouds, tubes and markers.
+"""
+
+import importlib
+import importlib.util
+from typing import TYPE_CHECKING
+
+from .build_info import CLASSES
+from .build_info import VERSION as __version__  # noqa: F401
+from .cloud_graph import CloudGraph
+from .distances import distance
+from .errors import Error, VTKError, needing_vtk
+from .graph import Graph
+from .mesh import Mesh
+from .paths import path
+from .progress import show_progress
+from .property_table import TABLE
+from .reading import read
+from .results import EarthMovers, Isoline, Loop, Path, Samples, Voronoi
+from .spectral import biharmonic, earth_movers, greens_function, interpolate
+from .writing import write
+
+if TYPE_CHECKING:
+    from .pipeline import check
+    from .vtkDGGFiltersGeodesic import *  # noqa: F403
+    from .vtkDGGFiltersPointCloud import *  # noqa: F403
+    from .vtkDGGFiltersSpectral import *  # noqa: F403
+    from .vtkDGGReaders import *  # noqa: F403
+
+# Objects that need VTK, which are imported on first use.
+_OF_VTK = {"check", *CLASSES, *TABLE}
+_OTHERS = [
+    "CloudGraph",
+    "EarthMovers",
+    "Error",
+    "Graph",
+    "Isoline",
+    "Loop",
+    "Mesh",
+    "Path",
+    "Samples",
+    "VTKError",
+    "Voronoi",
+    "biharmonic",
+    "distance",
+    "earth_movers",
+    "greens_function",
+    "interpolate",
+    "path",
+    "read",
+    "show_progress",
+    "write",
+]
+
+
+def __getattr__(name):
+    if name == "__all__":
+        return _OTHERS + _served()
+    if name in ("compat", "explorer", "pictures"):
+        return importlib.import_module(f".{name}", __name__)
+    if name not in _OF_VTK:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    with needing_vtk(f"vtkdgg.{name}"):
+        if name == "check":
+            from .pipeline import check as found
+        else:
+            from .loaded_vtk import find_class
+
+            found = find_class(name)
+    globals()[name] = found
+    return found
+
+
+def __dir__():
+    return sorted({*globals(), *_OTHERS, *_served()})
+
+
+def _served():
+    """Returns the names of the objects that need VTK and that the VTK found here serves."""
+    if importlib.util.find_spec("vtkmodules") is None:
+        return []
+    from .loaded_vtk import served_classes
+
+    return sorted({"check", *served_classes()})
