@@ -12,6 +12,8 @@
 #        Testing/Benchmark/run.sh path [--out DIR] [--data DIR] [MESH...] [OPTIONS OF BenchmarkPath]
 #        Testing/Benchmark/run.sh isolines [--out DIR] [--data DIR] [MESH...]
 #                                 [OPTIONS OF measure_isolines.py]
+#        Testing/Benchmark/run.sh peers [--out DIR] [--data DIR] [--readme] [MESH...]
+#                                 [OPTIONS OF measure_peers.py]
 #        Testing/Benchmark/run.sh cloud [--out DIR] [--data DIR] [--full] [--readme] [MESH...]
 #                                 [OPTIONS OF measure_clouds.py]
 #        Testing/Benchmark/run.sh spectral [--out DIR] [--data DIR] [--libigl DIR] [--readme]
@@ -31,6 +33,8 @@
 #   path      paths, samples, Voronoi cells and a matrix by graphs: writes path.json
 #             and path.md
 #   isolines  isolines by all methods and vtkContourFilter: writes isolines.json and isolines.md
+#   peers     Python packages that compute geodesics, ours among them, in a virtual environment in
+#             the folder of the results: writes peers.json and peers.md
 #   cloud     graphs of point clouds: errors with all schemes and of fast marching, difficult
 #             clouds, varied parameters, and the cost at 200K points; the vertices of meshes are
 #             measured as clouds: writes cloud.json, cloud.md and cloud_error.png (needs
@@ -48,7 +52,8 @@
 #   --out     folder of the results (default: out/benchmark in the source tree)
 #   --data    folder of meshes (.ply) to measure: bunny, armadillo, fertility, kitten and gargoyle,
 #             for isolines also igea; for first with bunny, armadillo, gargoyle, fandisk,
-#             blade_aniso, igea and terrain_andes; for clouds with igea, terrain_andes (a
+#             blade_aniso, igea and terrain_andes; for peers with fandisk, fertility, bunny and
+#             igea, in addition to spheres with bumps; for clouds with igea, terrain_andes (a
 #             grid) and awkward/bunny_raw_5holes; for spectral with bunny and igea; for thesis with
 #             any of fertility, kitten, gargoyle, bunny, armadillo and blade_aniso
 #   --full    for cloud: also a sphere of 655K points, which takes about ten minutes more; for
@@ -57,13 +62,14 @@
 #   --exhibits  for thesis: only these, T3.4,F3.9,...
 #   --libigl  folder with the headers of libigl, as a further peer of spectral
 #   --readme  also write the tables to Testing/Benchmark/README.md and the plot to Examples/Images:
-#             for first, local and spectral (no plot), graph, cloud, spheres; for spectral, also draw
-#             Examples/Images/greens_function.png; for thesis, write Testing/Benchmark/Thesis.md and
-#             its pictures to Testing/Benchmark/Images
+#             for first, local, peers, spectral (no plot), graph, cloud, spheres; for spectral, also
+#             draw Examples/Images/greens_function.png; for thesis, write
+#             Testing/Benchmark/Thesis.md and its pictures to Testing/Benchmark/Images
 # For example:
 #   Testing/Benchmark/run.sh
 #   Testing/Benchmark/run.sh scan.ply --growth=none --benchmark_filter=/T/
 #   Testing/Benchmark/run.sh graph --readme
+#   Testing/Benchmark/run.sh peers scan.ply --generated= --limit=60 --methods=exact,graph
 #   Testing/Benchmark/run.sh path scan.ply --pairs=100 --matrix=0
 #   Testing/Benchmark/run.sh isolines scan.ply --sizes=1000,10000
 #   Testing/Benchmark/run.sh cloud scan.ply --clouds= --curves=0 --guards=0 --speed=0
@@ -83,7 +89,7 @@ source "$(dirname "${BASH_SOURCE[0]}")/../setup.sh"
 here="$DGG_ROOT/Testing/Benchmark"
 mode=exact
 case "${1:-}" in
-  cloud | compare | exact | first | graph | isolines | local | passrate | path | spectral | spheres | thesis)
+  cloud | compare | exact | first | graph | isolines | local | passrate | path | peers | spectral | spheres | thesis)
     mode="$1"
     shift
     ;;
@@ -120,6 +126,12 @@ case "$mode" in
     program=BenchmarkPath
     scans=(bunny armadillo fertility kitten gargoyle)
     ;;
+  peers)
+    script=measure_peers.py
+    scans=(fandisk fertility bunny igea)
+    packages=(build-essential libeigen3-dev libnanoflann-dev libspectra-dev python3-dev python3-venv
+      zlib1g-dev)
+    ;;
   spectral)
     program=BenchmarkSpectral
     scans=(bunny igea)
@@ -152,7 +164,7 @@ while [ $# -gt 0 ]; do
       shift
       ;;
     --data)
-      only_for --data "cloud first isolines path spectral thesis"
+      only_for --data "cloud first isolines path peers spectral thesis"
       case "$mode" in
         cloud) arguments+=("--terrain=$2/terrain_andes.ply" "--speed_mesh=$2/terrain_andes.ply") ;;
         thesis) arguments+=(--data "$2") ;;
@@ -175,7 +187,7 @@ while [ $# -gt 0 ]; do
       shift
       ;;
     --readme)
-      only_for --readme "cloud first graph local spectral spheres thesis"
+      only_for --readme "cloud first graph local peers spectral spheres thesis"
       readme=yes
       ;;
     *) arguments+=("$1") ;;
@@ -205,7 +217,7 @@ measure() {
       --benchmark_out_format=json ${arguments[@]+"${arguments[@]}"}
     "$python" "$here/summarize.py" "$out/$mode.json" "$out/$mode.md"
   else
-    python="$build/bin/vtkdgg-python"
+    [ "$mode" = peers ] || python="$build/bin/vtkdgg-python"
     "$python" "$here/$script" "$out/$mode.json" "$out/$mode.md" ${arguments[@]+"${arguments[@]}"}
   fi
   echo "Written: $out/$mode.json and $out/$mode.md"
@@ -229,21 +241,36 @@ measure_thesis() {
     --programs "$build/bin" ${page[@]+"${page[@]}"} ${arguments[@]+"${arguments[@]}"}
 }
 
+# install_peers: installs this package and its peers in a virtual environment with its own Python.
+install_peers() {
+  local environment="$out/environment"
+  [ -x "$environment/bin/python" ] || "$python" -m venv "$environment"
+  python="$environment/bin/python"
+  echo "Installing packages in $environment ..."
+  "$python" -m pip install --quiet --disable-pip-version-check "$DGG_ROOT" adobe-lagrange libigl \
+    meshlib potpourri3d pygeodesic pymeshlab scipy tvb-gdist
+}
+
 with_python=ON
 [ -z "$program" ] || [ "$mode$readme" = spectralyes ] || with_python=OFF
 dgg_install "${packages[@]}"
 
-build="$DGG_ROOT/build/benchmark"
-dgg_build "$build" \
-  -DCMAKE_BUILD_TYPE=Release \
-  -DBUILD_TESTING=OFF \
-  -DDGG_WITH_PYTHON="$with_python" \
-  -DDGG_PEER_LIBIGL_DIR="$libigl" \
-  -DDGG_BUILD_BENCHMARKS=ON
-
 # Python for which apt installs packages, if it exists.
 python="$(command -v /usr/bin/python3 || command -v python3)"
 mkdir -p "$out"
+out="$(cd "$out" && pwd)"
+build="$DGG_ROOT/build/benchmark"
+if [ "$mode" = peers ]; then
+  install_peers
+else
+  dgg_build "$build" \
+    -DCMAKE_BUILD_TYPE=Release \
+    -DBUILD_TESTING=OFF \
+    -DDGG_WITH_PYTHON="$with_python" \
+    -DDGG_PEER_LIBIGL_DIR="$libigl" \
+    -DDGG_BUILD_BENCHMARKS=ON
+fi
+
 case "$mode" in
   compare)
     dgg_with_display "$build/bin/vtkdgg" compare --methods --out "$out/compare" \

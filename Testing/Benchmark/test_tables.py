@@ -98,7 +98,8 @@ class Insert(unittest.TestCase):
         with open(os.path.join(HERE, "README.md"), encoding="utf-8") as file:
             page = file.read()
         written = re.findall(r"written by Testing/Benchmark/run.sh (\w+) --readme", page)
-        self.assertEqual(sorted(written), ["cloud", "first", "graph", "local", "spectral", "spheres"])
+        expected = ["cloud", "first", "graph", "local", "peers", "spectral", "spheres"]
+        self.assertEqual(sorted(written), expected)
         for name in written:
             self.assertIn("\nnew\n<!-- end", insert(page, name, "new"))
 
