@@ -115,9 +115,9 @@ public:
    * empty and columns must not be set. The table has a row for each pair within MaximumDistance,
    * including the pair of a point with itself: "Column" (int, point id; ascending in each row of
    * the matrix) and "GeodesicDistance". The field data array "RowOffsets" (64-bit integers) has one
-   * tuple more than the matrix has rows: row i is [RowOffsets[i], RowOffsets[i + 1]). The cost is
-   * proportional to the number of pairs. GenerateTable has no effect. Without MaximumDistance every
-   * reached point is stored. Default off.
+   * tuple more than the matrix has rows: row i begins at RowOffsets[i] and ends before
+   * RowOffsets[i + 1]. The cost is proportional to the number of pairs. GenerateTable has no
+   * effect. Without MaximumDistance every reached point is stored. Default off.
    */
   vtkSetMacro(CompressedRows, bool);
   vtkGetMacro(CompressedRows, bool);

@@ -61,7 +61,7 @@ def check_ids(array, number_of_points, name):
     outside = (array < 0) | (array >= number_of_points)
     if outside.any():
         entry = np.unravel_index(int(np.argmax(outside)), array.shape)
-        starts_at_1 = array.size > 1 and array.min() == 1 and array.max() == number_of_points
+        starts_at_1 = bool(array.size > 1 and array.min() == 1 and array.max() == number_of_points)
         raise ValueError(
             f"{name}: point id {array[entry]} (entry {', '.join(map(str, entry))}) does not exist; "
             f"{there_are(number_of_points, 'point')}{', with ids from 0' * starts_at_1}"
