@@ -94,7 +94,7 @@ class Pages(unittest.TestCase):
             ("Readers/README.md", "cpp"): 1,
             ("Wrapping/ParaView/README.md", "python"): 3,  # tested in ParaView
             ("Wrapping/Python/Files.md", "python"): 1,
-            ("Wrapping/Python/Packages.md", "python"): 1,
+            ("Wrapping/Python/Packages.md", "python"): 2,  # the second needs 3D Slicer
             ("Wrapping/Python/PyVista.md", "python"): 1,  # tested with PyVista
             ("Wrapping/Python/README.md", "python"): 2,
         }
