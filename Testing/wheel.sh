@@ -25,7 +25,7 @@ source "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
 newest_tag=34 # glibc of the oldest systems that are supported
 declare -A packages=(
   [numpy]="numpy"
-  [newest]="vtk pyvista scipy trimesh meshio"
+  [newest]="vtk pyvista scipy trimesh meshio open3d vedo nilearn nibabel"
   [oldest]="vtk==9.3.1 scipy"
 )
 without_vtk="test_kernel test_without_vtk"
@@ -35,6 +35,8 @@ declare -A tests=(
   [newest]="$without_vtk $functions test_real_pyvista"
   [oldest]="$without_vtk $functions"
 )
+
+declare -A real=([newest]=1) # stand-ins for other packages are not accepted
 
 mkdir -p "$1"
 folder="$(cd "$1" && pwd)"
@@ -112,6 +114,7 @@ for name in "$@"; do
   mkdir -p "$folder/output"
   for test in ${tests[$name]}; do
     timed "$name: $test" dgg_with_display env -C "$folder/output" DGG_TEST_OUTPUT="$folder/output" \
+      DGG_REAL_PACKAGES="${real[$name]:-}" \
       "$folder/$name/bin/python" "$DGG_ROOT/Testing/Python/$test.py"
   done
 done
