@@ -21,7 +21,7 @@ import numpy as np
 from peers import METHODS
 
 ENOUGH_SECONDS = 10.0  # CPU time of calls after which no further one follows
-UNREACHED = 1e30  # larger values stand for infinity
+UNREACHED = 1e30  # larger values mean unreached vertices
 
 
 def run_alone(command, limit):

@@ -54,7 +54,7 @@ if TYPE_CHECKING:
 
 # Objects that need VTK, which are imported on first use.
 _OF_VTK = {"check", *CLASSES, *TABLE}
-_OTHERS = [
+_WITHOUT_VTK = [
     "CloudGraph",
     "EarthMovers",
     "Error",
@@ -80,7 +80,7 @@ _OTHERS = [
 
 def __getattr__(name):
     if name == "__all__":
-        return _OTHERS + _served()
+        return _WITHOUT_VTK + _served()
     if name in ("compat", "explorer", "pictures"):
         return importlib.import_module(f".{name}", __name__)
     if name not in _OF_VTK:
@@ -97,7 +97,7 @@ def __getattr__(name):
 
 
 def __dir__():
-    return sorted({*globals(), *_OTHERS, *_served()})
+    return sorted({*globals(), *_WITHOUT_VTK, *_served()})
 
 
 def _served():

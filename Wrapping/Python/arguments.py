@@ -100,8 +100,8 @@ class SurfacePoints:
         return result
 
     def polydata(self, result=None):
-        """Returns the points as a vtkPolyData with the point arrays by which filters identify them,
-        and those of a result of the kernel."""
+        """Returns the points as a vtkPolyData with the point arrays that identify them, and with the
+        arrays of a result of the kernel."""
         with needing_vtk("as_polydata"):
             from . import vtk_data, vtk_output
 

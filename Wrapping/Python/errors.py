@@ -95,7 +95,7 @@ def call(function, *arguments, issued=None, bar=Bar, check=None, **options):
 
 
 def warn(texts, issued=None):
-    """Issues texts as warnings, except those in the set `issued`, to which it adds them."""
+    """Issues texts as warnings. Texts in the set `issued` are skipped; the others are added to it."""
     for text in texts:
         if issued is None or text not in issued:
             warnings.warn(in_arguments(text), RuntimeWarning, stacklevel=depth_of_package())

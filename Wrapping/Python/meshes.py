@@ -45,7 +45,7 @@ CELL_TYPES = {
     "hexahedron": 12,
     "hexahedron20": 25,
 }
-# Those that are polygons.
+# Names of cells that are polygons.
 _FLAT = ("triangle", "quad", "polygon")
 
 

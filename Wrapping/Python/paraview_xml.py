@@ -52,7 +52,7 @@ element_types="0 0 0 0 2" label="Contour By" name="SelectInputScalars" number_of
 
 
 def configuration(table, python_module=None, without=()):
-    """Returns the XML of all filters. Classes are those of a module of Python; None: compiled."""
+    """Returns the XML of all filters, with classes of a Python module or, for None, compiled ones."""
     root = ElementTree.Element("ServerManagerConfiguration")
     group = ElementTree.SubElement(root, "ProxyGroup", name="filters")
     for name, entry in table.items():

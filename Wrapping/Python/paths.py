@@ -115,7 +115,7 @@ def find(target, starts, ends, issued=None, **options):
 
 
 def paths_of(result, count):
-    """Returns the paths of `count` pairs; None for those that the surface does not connect."""
+    """Returns the paths of `count` pairs; None for unconnected pairs."""
     found = [None] * count
     lines = lines_of(result, Path, length="Length", graph_length="GraphLength")
     for line, pair in zip(lines, result.cell_data["PairId"]):

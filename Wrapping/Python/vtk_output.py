@@ -93,8 +93,8 @@ def remove_windows(polydata, distances=None):
 
 
 def window_arrays(names, distances=None):
-    """Returns the names of field arrays with the windows of distances with this name; of all
-    windows for None. `names` are those of all field arrays."""
+    """Returns the names of the field arrays that contain the windows of a distance array, or all
+    windows for None. `names` are the names of all field arrays."""
     info = WINDOW_ARRAYS[-1]
     found = [name[: -len(info)] for name in names if name.endswith(info) and name != info]
     prefixes = found if distances is None else [distances]
