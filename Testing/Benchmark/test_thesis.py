@@ -279,6 +279,19 @@ class Surfaces(unittest.TestCase):
         points, triangles = surfaces.arrays_of(surfaces.make("terrain-5"))
         self.assertEqual(surfaces.total_angles(points, triangles)[1].sum(), 16)
 
+    def test_parts_are_manifolds(self):
+        defects = ("non_manifold_edges", "non_manifold_vertices", "degenerate_faces")
+        for name in surfaces.parts.PARTS:
+            with self.subTest(name=name):
+                points, triangles = surfaces.make_arrays(name)
+                report = vtkdgg._kernel.Surface(points, triangles).report()
+                found = {key: report[f"number_of_{key}"] for key in defects}
+                self.assertEqual(found, dict.fromkeys(defects, 0.0))
+                self.assertEqual((report["number_of_components"], report["orientable"]), (1, 1))
+                edges = np.concatenate([triangles[:, [i, (i + 1) % 3]] for i in range(3)])
+                self.assertEqual(len(np.unique(edges, axis=0)), len(edges))  # one orientation
+                self.assertTrue(200 <= len(points) <= 20000)
+
     def test_distances_are_those_of_a_sphere(self):
         mesh = surfaces.make("sphere-3")
         points, _ = surfaces.arrays_of(mesh)

@@ -5,10 +5,17 @@ duplicate walls, shared faces, slivers, many components.
 
 A mesh depends on its seed only."""
 
+import os
+import sys
 from typing import NamedTuple
 
 import numpy as np
 import support
+
+sys.path.append(os.path.join(support.TESTING, "Benchmark"))
+
+# pylint: disable=wrong-import-position
+from exhibits.solids import edges_apart, extrude, halves, split_edges
 
 
 class Mesh(NamedTuple):
@@ -46,12 +53,6 @@ def weld(quads):
     points."""
     points, ids = np.unique(quads.reshape(-1, 3), axis=0, return_inverse=True)
     return points.astype(float), ids.reshape(-1, 4)
-
-
-def halves(quads, other_diagonal=False):
-    """Returns two triangles for each quad; `other_diagonal` chooses the diagonal of each."""
-    quads = np.where(np.reshape(other_diagonal, (-1, 1)), np.roll(quads, 1, axis=1), quads)
-    return np.concatenate([quads[:, [0, 1, 2]], quads[:, [0, 2, 3]]])
 
 
 def sphere(resolution):
@@ -102,71 +103,6 @@ def plate(rng, number):
         ring = np.column_stack([np.cos(angle), np.sin(angle)])
         outlines.append((np.array([i, j]) + 0.5) * cell + ring * slot * cell.min())
     return extrude(outlines, rng.choice([0.01, 0.1, 1.0]) * rng.uniform(0.5, 2.0))
-
-
-def extrude(outlines, height):
-    """Returns a solid of a height over a region between outlines, counterclockwise except for
-    holes."""
-    flat = np.concatenate(outlines)
-    first = np.cumsum([0] + [len(outline) for outline in outlines])
-    rings = [np.arange(begin, end) for begin, end in zip(first[:-1], first[1:])]
-    top = clip_ears(flat, bridged(flat, rings))
-    walls = [np.column_stack([ids, np.roll(ids, -1)]) for ids in rings]
-    walls = np.concatenate([np.column_stack([w, w[:, ::-1] + len(flat)]) for w in walls])
-    points = np.vstack([np.column_stack([flat, np.full(len(flat), z)]) for z in (0.0, height)])
-    return points, np.concatenate([top + len(flat), top[:, ::-1], halves(walls)])
-
-
-def cross(u, v):
-    return u[..., 0] * v[..., 1] - u[..., 1] * v[..., 0]
-
-
-def bridged(flat, rings):
-    """Returns one ring of ids of an outline and of its holes, which are joined one by one."""
-    ring, holes = rings[0], sorted(rings[1:], key=lambda ids: -flat[ids, 0].max())
-    while holes:
-        hole = holes.pop(0)
-        edges = [np.column_stack([ids, np.roll(ids, -1)]) for ids in [ring, hole, *holes]]
-        i, j = bridge(flat, ring, hole, flat[np.concatenate(edges)].transpose(1, 0, 2))
-        hole = np.roll(hole, -j)
-        ring = np.concatenate([ring[: i + 1], hole, hole[:1], ring[i:]])
-    return ring
-
-
-def bridge(flat, ring, hole, edges):
-    """Returns the indices of points of a ring and a hole that see each other."""
-    _, once, times = np.unique(ring, return_index=True, return_counts=True)
-    once = once[times == 1]  # from ends of bridges, only one side is visible
-    p, q = edges
-    for j in np.argsort(-flat[hole, 0]):
-        a = flat[hole[j]]
-        for i in once[np.argsort(np.linalg.norm(flat[ring[once]] - a, axis=1))]:
-            b = flat[ring[i]]
-            crossed = cross(q - p, a - p) * cross(q - p, b - p) < 0
-            crossed &= cross(b - a, p - a) * cross(b - a, q - a) < 0
-            if not crossed.any():
-                return i, j
-    raise ValueError("no bridge to a hole")
-
-
-def clip_ears(flat, ring):
-    """Returns the triangles of a simple polygon by ear clipping."""
-    triangles, i = [], 0
-    while len(ring) > 2:
-        for _ in range(len(ring)):
-            i %= len(ring)
-            ids = ring[[i - 1, i, (i + 1) % len(ring)]]
-            a, b, c = flat[ids]
-            if cross(b - a, c - a) > 0:
-                inside = (ring != ids[0]) & (ring != ids[1]) & (ring != ids[2])
-                for p, q in ((a, b), (b, c), (c, a)):
-                    inside[inside] = cross(q - p, flat[ring[inside]] - p) >= 0
-                if not inside.any():
-                    break
-            i += 1
-        triangles.append(ids)
-        ring = np.delete(ring, i % len(ring))
-    return np.array(triangles)
 
 
 def welded_boxes(rng, number):
@@ -378,15 +314,9 @@ def caps(rng, number):
 def needles(rng, number):
     """Edges split very close to one of their ends: triangles with a side of next to nothing."""
     points, triangles = base(rng, max(8, number // 2))
-    places, faces = list(points), [list(t) for t in triangles]
     part = rng.choice([0.0, 1e-13, 1e-9, 1e-5, 1e-2])
-    for a, b, one, two in edges_apart(rng, triangles, number // 2 + 1):
-        m = len(places)
-        places.append(places[a] + part * rng.uniform(0.5, 1.0) * (places[b] - places[a]))
-        for face in (one, two):
-            faces.append([m if i == a else i for i in faces[face]])
-            faces[face] = [m if i == b else i for i in faces[face]]
-    return np.array(places), np.array(faces)
+    edges = edges_apart(rng, triangles, number // 2 + 1)
+    return split_edges(points, triangles, edges, part * rng.uniform(0.5, 1.0, len(edges)))
 
 
 def stretched(rng, number):
@@ -421,22 +351,6 @@ def rotated(face, corner):
     """Returns the two corners after one."""
     i = face.index(corner)
     return face[(i + 1) % 3], face[(i + 2) % 3]
-
-
-def edges_apart(rng, triangles, count):
-    """Returns edges with two triangles, no triangle twice: (a, b, triangle, triangle)."""
-    faces_of = {}
-    for face, (a, b, c) in enumerate(triangles.tolist()):
-        for edge in ((a, b), (b, c), (c, a)):
-            faces_of.setdefault(frozenset(edge), []).append(face)
-    candidates = [(edge, faces) for edge, faces in faces_of.items() if len(faces) == 2]
-    taken, found = set(), []
-    for i in rng.permutation(len(candidates)):
-        edge, faces = candidates[i]
-        if len(found) < count and not taken.intersection(faces):
-            taken.update(faces)
-            found.append((*sorted(edge), *faces))
-    return found
 
 
 def joined(pieces):

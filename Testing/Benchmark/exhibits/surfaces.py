@@ -7,6 +7,8 @@ import re
 import numpy as np
 import vtkdgg
 
+from . import parts
+
 NAME = re.compile(
     r"^(?P<kind>sphere|bumpy|torus|terrain)-(?P<size>[0-9]+)"
     r"(?:-noise-(?P<noise>[0-9.]+))?(?:-stretched-(?P<factor>[0-9.]+))?$"
@@ -27,11 +29,11 @@ def make_arrays(name):
     sphere-K and bumpy-K come from an icosahedron split K times (10 * 4^K + 2 vertices), torus-K
     has K rings of K/2 vertices, terrain-K K by K. All but the sphere have vertices moved at random.
     -noise-X moves each vertex along the normal by X mean edges on average, -stretched-X makes the
-    first axis X times as long.
+    first axis X times as long. The names of machine parts are those of `parts.PARTS`.
     """
     match = NAME.match(name)
     if not match:
-        return None
+        return parts.make_arrays(name)
     size = int(match["size"])
     random = np.random.default_rng(SEED)
     points, triangles = {
@@ -89,8 +91,8 @@ def split(points, triangles):
     middles = 0.5 * (points[edges[:, 0]] + points[edges[:, 1]])
     a, b, c = triangles.T
     ab, bc, ca = len(points) + place.reshape(3, -1)
-    parts = ((a, ab, ca), (ab, b, bc), (ca, bc, c), (ab, bc, ca))
-    return np.vstack([points, middles]), np.vstack([np.column_stack(part) for part in parts])
+    quarters = ((a, ab, ca), (ab, b, bc), (ca, bc, c), (ab, bc, ca))
+    return np.vstack([points, middles]), np.vstack([np.column_stack(q) for q in quarters])
 
 
 def bumpy(level, random):
