@@ -15,12 +15,10 @@ into ten seconds. Errors are relative to the exact distances of vtkDGG.
 
 import importlib.metadata
 import os
-import sys
 import tempfile
 
 import modes
 import numpy as np
-import vtkdgg
 from exhibits import surfaces
 from measure_alone import measure_alone
 from peers import METHODS
@@ -46,17 +44,6 @@ TASKS = {
     "matrix": f"Matrix of {SOURCES} x {SOURCES} distances",
     "path": "Paths between two vertices",
 }
-
-
-def arrays_of(name):
-    """Returns the title, points and triangles of a file or of a generated surface."""
-    arrays = surfaces.make_arrays(name)
-    if arrays is None:
-        mesh = vtkdgg.read(name)
-        if mesh.triangles is None:
-            sys.exit(f"error: {name}: some polygons have more than three corners")
-        name, arrays = os.path.splitext(os.path.basename(name))[0], (mesh.points, mesh.triangles)
-    return name, np.ascontiguousarray(arrays[0]), np.ascontiguousarray(arrays[1])
 
 
 def case_of(points, triangles):
@@ -116,7 +103,7 @@ def measure(options):
     methods = chosen_methods(options.methods)
     versions = {method.package: version_of(method.package) for method in methods.values()}
     meshes, slow = {}, {}
-    arrays = map(arrays_of, (*options.generated, *options.meshes))
+    arrays = map(modes.open_arrays, (*options.generated, *options.meshes))
     for title, points, triangles in sorted(arrays, key=lambda mesh: len(mesh[1])):
         print(f"{title}: {len(points)} vertices", flush=True)
         with tempfile.TemporaryDirectory() as folder:

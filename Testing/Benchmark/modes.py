@@ -8,8 +8,10 @@ import argparse
 import ctypes
 import json
 import os
+import sys
 import time
 
+import numpy as np
 import vtkdgg
 from exhibits import surfaces
 
@@ -69,6 +71,17 @@ def open_mesh(name):
     mesh = triangulated(vtkdgg.read(name).as_polydata(), name)
     title = os.path.splitext(os.path.basename(name))[0]
     return title, surfaces.from_arrays(*surfaces.arrays_of(mesh))
+
+
+def open_arrays(name):
+    """Returns the title, points and triangles of a file or of a generated surface."""
+    arrays = surfaces.make_arrays(name)
+    if arrays is None:
+        mesh = vtkdgg.read(name)
+        if mesh.triangles is None:
+            sys.exit(f"error: {name}: some polygons have more than three corners")
+        name, arrays = os.path.splitext(os.path.basename(name))[0], (mesh.points, mesh.triangles)
+    return name, np.ascontiguousarray(arrays[0]), np.ascontiguousarray(arrays[1])
 
 
 def default_meshes(*generated):

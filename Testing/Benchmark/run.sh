@@ -12,6 +12,7 @@
 #        Testing/Benchmark/run.sh path [--out DIR] [--data DIR] [MESH...] [OPTIONS OF BenchmarkPath]
 #        Testing/Benchmark/run.sh isolines [--out DIR] [--data DIR] [MESH...]
 #                                 [OPTIONS OF measure_isolines.py]
+#        Testing/Benchmark/run.sh parts [--out DIR] [PART or MESH...] [OPTIONS OF measure_parts.py]
 #        Testing/Benchmark/run.sh peers [--out DIR] [--data DIR] [--readme] [MESH...]
 #                                 [OPTIONS OF measure_peers.py]
 #        Testing/Benchmark/run.sh cloud [--out DIR] [--data DIR] [--full] [--readme] [MESH...]
@@ -33,6 +34,9 @@
 #   path      paths, samples, Voronoi cells and a matrix by graphs: writes path.json
 #             and path.md
 #   isolines  isolines by all methods and vtkContourFilter: writes isolines.json and isolines.md
+#   parts     errors inside the faces of generated machine parts: probes, isolines, ridges and Voronoi
+#             borders by graphs, and virtual sources; on meshes only virtual sources: writes
+#             parts.json and parts.md
 #   peers     Python packages that compute geodesics, ours among them, in a virtual environment in
 #             the folder of the results: writes peers.json and peers.md
 #   cloud     graphs of point clouds: errors with all schemes and of fast marching, difficult
@@ -72,6 +76,7 @@
 #   Testing/Benchmark/run.sh peers scan.ply --generated= --limit=60 --methods=exact,graph
 #   Testing/Benchmark/run.sh path scan.ply --pairs=100 --matrix=0
 #   Testing/Benchmark/run.sh isolines scan.ply --sizes=1000,10000
+#   Testing/Benchmark/run.sh parts 'gear-*' plate-2 scan.ply --accuracies=0.01
 #   Testing/Benchmark/run.sh cloud scan.ply --clouds= --curves=0 --guards=0 --speed=0
 #   Testing/Benchmark/run.sh spectral scan.ply --sizes=
 #   Testing/Benchmark/run.sh thesis --exhibits T3.2,F3.9
@@ -89,7 +94,7 @@ source "$(dirname "${BASH_SOURCE[0]}")/../setup.sh"
 here="$DGG_ROOT/Testing/Benchmark"
 mode=exact
 case "${1:-}" in
-  cloud | compare | exact | first | graph | isolines | local | passrate | path | peers | spectral | spheres | thesis)
+  cloud | compare | exact | first | graph | isolines | local | parts | passrate | path | peers | spectral | spheres | thesis)
     mode="$1"
     shift
     ;;
@@ -121,6 +126,7 @@ case "$mode" in
     script=measure_local.py
     packages+=(python3-scipy)
     ;;
+  parts) script=measure_parts.py ;;
   passrate) script=passrate.py picture=passrate.png ;;
   path)
     program=BenchmarkPath
