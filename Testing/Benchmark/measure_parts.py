@@ -11,7 +11,8 @@ Usage: measure_parts.py OUT.json OUT.md [--name=value ...] [PART or MESH ...]
                   0 for files
   --points=10000  random points of the surface
   --levels=20     isolines, evenly over the range of the exact distances
-  --sites=10      sites of Voronoi cells; alternately vertices and points inside faces
+  --sites=10      sites of Voronoi cells, and sources of virtual sources, one at a time; alternately
+                  vertices and points inside faces
   --fields=2      number of sites that are sources of isolines, ridges and probes, one at a time
   --before=FILE   OUT.json of an earlier run, for a histogram before and after
 
@@ -268,7 +269,7 @@ def measure_virtual(part, options):
     """Returns errors of distances from virtual sources at vertices."""
     found = {quality: [] for quality in QUALITIES}
     straight = []
-    for k in range(options.fields):
+    for k in range(options.sites):
         exact, _ = part.exact(k)
         chords = np.linalg.norm(part.points - part.source(k)["points"], axis=1)
         is_used = np.isfinite(exact) & (exact > LEAST_DISTANCE * part.edge)

@@ -93,7 +93,7 @@ def in_form(form):
 
 def digits(value):
     """Returns two significant digits, without an exponent if possible."""
-    return f"{value:.0f}" if 100.0 <= value < 1e6 else f"{value:.2g}"
+    return f"{value:.0f}" if 99.5 <= value < 1e6 else f"{value:.2g}"
 
 
 @in_form
