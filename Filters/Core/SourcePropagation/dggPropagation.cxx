@@ -323,7 +323,8 @@ void Propagation<High>::Leave(const PropagationLabel& label, int side, Propagati
   }
   if (this->Faces.HasShadows())
   {
-    StayOutOfShadows(image, length, a, b);
+    const float height = face.Lengths[PreviousOf(side)] * face.Sines[side];
+    StayOutOfShadows(image, length, height, a, b);
   }
   this->Cross(3 * f + side, image, chunk);
 }
