@@ -8,30 +8,20 @@ import contextlib
 import time
 
 import numpy as np
-from vtkdgg import vtkApolloniusIsolines, vtkDiscreteGreensFunction
 from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkPolyData
 
-from . import arguments, filters, meshes
+from . import _kernel, arguments, meshes
 from .checks import counted
 from .cloud_graph import CloudGraph
 from .commands.measured import Errors
 from .commands.sizes import floor_of
-from .errors import Error
-from .filters import FILTERS, set_merging
-from .graph import Graph
+from .distances import METHODS as FUNCTIONS
+from .errors import Error, call
+from .graph import Graph, find_isolines
 from .graph_info import GraphInfo
 from .pictures import nice_step
-from .pipeline import run
-from .vtk_data import (
-    add_array,
-    array_of,
-    closest_cell,
-    locator_of,
-    polyline,
-    shallow_copy,
-    triangulated,
-    with_arrays,
-)
+from .vtk_data import add_array, closest_cell, locator_of, polyline, triangulated, with_arrays
 
 # Roles of the places, and names of the array of each view in files.
 ROLES = ("source", "end", "corner")
@@ -89,7 +79,9 @@ class Scene:
         if accuracy is not None:
             arguments.accuracy(accuracy)
         self.surface = surface if is_cloud else _triangles_of(surface)
-        self._points, _ = meshes.take(self.surface)
+        without_arrays = vtkPolyData()  # which results would interpolate
+        without_arrays.CopyStructure(self.surface)
+        self._mesh, _ = meshes.take(without_arrays)
         self.is_cloud = is_cloud
         self._uses_input_graph = info is not None
         if info is not None:
@@ -102,14 +94,11 @@ class Scene:
         tolerance = info.merge_tolerance if info is not None else 0.0
         self._merging = merge or bool(info and info.is_merged), tolerance
         self._graph = None
-        self._filters = {}
         self._fastest = {}
         self._issued = set()
         self._wanted = None
-        self._contour = vtkApolloniusIsolines()
-        set_merging(self._contour, *self._merging)
-        self._contour.SetChordTolerance(0.02)  # finer than can be seen
         if not is_cloud:
+            self._prepared = self._mesh.prepared(*self._merging, issued=self._issued)
             self.locator = locator_of(self.surface)
         self.clear()
         self.update()
@@ -179,7 +168,6 @@ class Scene:
         self.accuracy = others[0]
         self._uses_input_graph = False
         self._graph = None
-        self._filters.pop("graph", None)
         self._fastest.pop("graph", None)
 
     def press(self, place, handle=None):
@@ -305,9 +293,8 @@ class Scene:
             return
         if is_moving:
             self.used = self._soonest()
-        search = self._search(self.used, is_moving)
-        points = search.GetOutput().GetPointData()
-        self.distances = array_of(points, search.GetDistanceArrayName())
+        field = self._search(self.used, is_moving)
+        self.distances = field.point_data["GeodesicDistance"]
         self.values = self.distances
         reached = self.distances[np.isfinite(self.distances)]
         high = float(reached.max()) if reached.size else 0.0
@@ -315,11 +302,11 @@ class Scene:
         self._reach = max(self._reach, high)
         self.limits = 0.0, self._reach or 1.0
         self.step = nice_step(self.limits[1])
-        self._find_lines(search, search.GetDistanceArrayName(), 0.0, high, is_moving)
+        self._find_lines(field, 0.0, high, is_moving)
         if self.shown == "error":
             self._measure()
         elif self.shown == "voronoi":
-            nearest = array_of(points, search.GetSourceArrayName()).astype(float)
+            nearest = field.point_data["GeodesicSource"].astype(float)
             self.values = np.where(nearest < 0, np.nan, nearest)
             self.limits = 0.0, float(max(1, len(self.sources) - 1))
             self.cells = None
@@ -338,32 +325,24 @@ class Scene:
         return "fast" if is_slower else "graph"
 
     def _search(self, method, is_moving=False):
-        """Runs the filter of a method, which keeps its preparation, and returns it."""
-        if method not in self._filters:
-            self._filters[method] = FILTERS[method]()
-            self._filters[method].SetInputData(
-                self.graph.polydata if method == "graph" else self.surface
-            )
-        search = self._filters[method]
+        """Returns the distances by a method as a result of the kernel."""
+        options = {"generate_nearest_source": self.view == "voronoi"}
         # Arrays that only isolines at rest need take longer than the distances.
-        search.SetGenerateNearestSource(self.view == "voronoi")
         if method == "exact":
-            search.GenerateWindowsOn()
+            options["generate_windows"] = True
         else:
-            search.SetGenerateVirtualSource(not (is_moving or self.is_cloud))
-        seconds = self._run(search, method)
+            options["generate_virtual_source"] = not (is_moving or self.is_cloud)
+        target = self.graph._graph if method == "graph" else self._prepared
+        field = self._run(FUNCTIONS[method], target, method, **options)
         if is_moving:
-            self._fastest[method] = min(seconds, self._fastest.get(method, np.inf))
-        return search
+            self._fastest[method] = min(self.times[method], self._fastest.get(method, np.inf))
+        return field
 
-    def _run(self, algorithm, name):
-        """Runs a filter from the sources, and returns its duration in seconds."""
+    def _run(self, function, target, name, **options):
+        """Returns the result of a function of the kernel for the sources."""
         with self._timed(name):
-            set_merging(algorithm, *self._merging)
-            sources = arguments.surface_points(self.sources, "sources", self._points)
-            filters.set_points(algorithm, "Source", sources)
-            run(algorithm, self._issued)
-        return self.times[name]
+            sources = arguments.surface_points(self.sources, "sources", self._mesh)
+            return call(function, target, sources.in_kernel(), issued=self._issued, **options)
 
     @contextlib.contextmanager
     def _timed(self, name):
@@ -372,29 +351,28 @@ class Scene:
         yield
         self.times[name] = time.perf_counter() - start
 
-    def _find_lines(self, algorithm, name, low, high, is_moving):
+    def _find_lines(self, field, low, high, is_moving):
         """Finds isolines at multiples of the step, and at rest the bands between them."""
         first, last = int(np.floor(low / self.step)) + 1, int(np.ceil(high / self.step)) - 1
         if self.is_cloud or last < first:
             return
-        start = time.perf_counter()
-        contour = self._contour
-        contour.SetInputConnection(algorithm.GetOutputPort())
-        contour.SetDistanceArrayName(name)
         is_linear = is_moving or self.shown == "greens"
-        contour.SetMethod(contour.Linear if is_linear else contour.LocalSources)
         is_whole = bool(np.isfinite(self.values).all())
-        contour.SetGenerateBands(not is_linear and is_whole and self.shown == "distance")
-        contour.SetNumberOfContours(last - first + 1)
-        for i in range(first, last + 1):
-            contour.SetValue(i - first, i * self.step)
-        run(contour, self._issued)
-        self.lines = shallow_copy(contour.GetOutput())
-        if contour.GetGenerateBands():
-            self.cells = shallow_copy(contour.GetBands())
-            bands = vtk_to_numpy(self.cells.GetCellData().GetArray("Band"))
-            self._add_to_cells((bands + 0.5) * self.step)
-        self.times["isolines"] = time.perf_counter() - start
+        has_bands = not is_linear and is_whole and self.shown == "distance"
+        with self._timed("isolines"):
+            lines, _, bands = find_isolines(
+                self._prepared,
+                field,
+                self.step * np.arange(first, last + 1),
+                self._issued,
+                method="Linear" if is_linear else "LocalSources",
+                generate_bands=has_bands,
+                chord_tolerance=0.02,  # finer than can be seen
+            )
+            self.lines = self._mesh.polydata(lines)
+            if has_bands:
+                self.cells = self._mesh.polydata(bands)
+                self._add_to_cells((bands.cell_data["Band"] + 0.5) * self.step)
 
     def _add_to_cells(self, values):
         add_array(self.cells.GetCellData(), "Shown", values)
@@ -402,8 +380,7 @@ class Scene:
 
     def _measure(self):
         """Measures the errors of the distances."""
-        exact = self._search("exact")
-        truth = array_of(exact.GetOutput().GetPointData(), exact.GetDistanceArrayName())
+        truth = self._search("exact").point_data["GeodesicDistance"]
         self.errors = Errors(self.distances, truth, floor_of(self.surface))
         self.values = 100.0 * np.abs(self.errors.signed)
         most = self._promise() or self.errors.largest
@@ -412,19 +389,14 @@ class Scene:
 
     def _solve(self):
         """Computes the Green's function of the source."""
-        if "greens" not in self._filters:
-            self._filters["greens"] = vtkDiscreteGreensFunction()
-            self._filters["greens"].SetInputData(self.surface)
-        solve = self._filters["greens"]
-        self._run(solve, "Green's function")
-        name = solve.GetResultArrayName()
-        self.values = array_of(solve.GetOutput().GetPointData(), name)
+        solution, _ = self._run(_kernel.greens_function, self._prepared, "Green's function")
+        self.values = solution.point_data["GreensFunction"]
         # It has a pole at the source.
         low, high = np.nanmin(self.values), np.nanquantile(self.values, 0.999)
         high = float(high) if high > low else float(low) + 1.0
         self.step = nice_step(high - low)
         self.limits = self.step * float(np.floor(low / self.step)), high
-        self._find_lines(solve, name, *self.limits, False)
+        self._find_lines(solution, *self.limits, False)
 
     def _find_curves(self, is_moving):
         """Finds the path from the first place to the second, and the loop through three."""

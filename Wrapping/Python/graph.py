@@ -208,7 +208,7 @@ class Graph(Queries):
         field = self._field(sources, initial_distances, projection_tolerance)
         if is_number:
             array = even_values(field.point_data["GeodesicDistance"], count)
-        lines = find_isolines(self._prepared, field, array, self._issued)
+        lines, _, _ = find_isolines(self._prepared, field, array, self._issued)
         if as_polydata:
             return self._polydata(lines)
         return lines_of(lines, Isoline, value="IsoValue")
@@ -283,19 +283,19 @@ def even_values(distances, count):
     return largest * np.arange(1, count + 1) / (count + 1)
 
 
-def find_isolines(prepared, field, values, issued=None):
-    """Returns the isolines of a result of the kernel with distances and with virtual sources or
-    windows."""
-    lines, _, _ = call(
+def find_isolines(prepared, field, values, issued=None, **options):
+    """Returns isolines, ridges and bands of the active array of a result of the kernel, whose
+    virtual sources or windows determine the array inside triangles."""
+    return call(
         _kernel.isolines,
         prepared,
-        field.point_data["GeodesicDistance"],
+        field.point_data[field.active["points"]],
         virtual_sources=field.point_data.get("GeodesicVirtualSource"),
         field_data=field.field_data,
         values=values,
         issued=issued,
+        **options,
     )
-    return lines
 
 
 def _stored(surface, prepared, info, options, issued):

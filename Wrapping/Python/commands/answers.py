@@ -377,7 +377,7 @@ def isolines(options):
         used, surface, prepared = named(made), made._surface, made._prepared
         field = made._field(sources, None, options.tolerance)
     values = values_of(options, field.point_data["GeodesicDistance"])
-    lines = find_isolines(prepared, field, values)
+    lines, _, _ = find_isolines(prepared, field, values)
     return {
         **used,
         "lines": len(lines.cells["lines"][0]) - 1,
