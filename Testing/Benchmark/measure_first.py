@@ -16,7 +16,6 @@ import modes
 import numpy as np
 import vtkdgg
 from tables import column, count_text, folded, joined, listing, time_text, titled
-from vtkdgg.commands.methods import graph, propagation
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkSMPTools
 from vtkmodules.vtkCommonDataModel import vtkPolyData
@@ -26,10 +25,10 @@ NEW_MESHES = 5
 SLOW = 2.0  # seconds above which a method is measured once
 
 METHODS = {
-    "virtual sources": propagation(1),
-    "virtual sources, High": propagation(2),
-    "graph, ε = 0.1": graph(0.1),
-    "graph, ε = 0.01": graph(0.01),
+    "virtual sources": modes.maker(vtkdgg.vtkVirtualSourceGeodesicDistance, Quality=1),
+    "virtual sources, High": modes.maker(vtkdgg.vtkVirtualSourceGeodesicDistance, Quality=2),
+    "graph, ε = 0.1": modes.maker(vtkdgg.vtkDGGDistance, Accuracy=0.1),
+    "graph, ε = 0.01": modes.maker(vtkdgg.vtkDGGDistance, Accuracy=0.01),
     "heat": vtkdgg.vtkHeatGeodesicDistance,
     "fast marching": vtkdgg.vtkDGGFastMarchingDistance,
     "exact": vtkdgg.vtkExactGeodesicDistance,

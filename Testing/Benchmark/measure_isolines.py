@@ -24,7 +24,6 @@ import numpy as np
 import vtkdgg
 from tables import column, count_text, digits, gain_text, hundredths, joined, listing, percent, titled
 from vtkdgg.commands.measured import Errors
-from vtkdgg.commands.methods import graph as graph_of
 from vtkdgg.commands.sizes import floor_of
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkPolyData
@@ -40,7 +39,7 @@ METHODS = {
     "Windows": "windows",
 }
 INPUTS = {
-    "DGG": graph_of,
+    "DGG": lambda accuracy: modes.maker(vtkdgg.vtkDGGDistance, Accuracy=accuracy),
     "heat": lambda _: vtkdgg.vtkHeatGeodesicDistance,
     "fast marching": lambda _: vtkdgg.vtkDGGFastMarchingDistance,
 }

@@ -84,6 +84,13 @@ def open_arrays(name):
     return name, np.ascontiguousarray(arrays[0]), np.ascontiguousarray(arrays[1])
 
 
+def maker(kind, **properties):
+    """Returns a function that makes a filter with these properties."""
+    from vtkdgg.vtk_data import configured
+
+    return lambda: configured(kind(), **properties)
+
+
 def default_meshes(*generated):
     """Returns the names of generated surfaces, and the bunny where it is installed."""
     return [*generated, *filter(os.path.isfile, [BUNNY])]

@@ -20,7 +20,6 @@ import vtkdgg
 from exhibits.surfaces import anisotropy, arrays_of
 from tables import column, count_text, digits, listing, tenths
 from vtkdgg.commands.measured import ROUNDING, Errors
-from vtkdgg.commands.methods import field
 from vtkdgg.commands.sizes import floor_of
 from vtkdgg.vtk_data import triangulated
 
@@ -45,7 +44,7 @@ def measure_mesh(path, accuracies, number_of_sources, most_points):
         int(used[len(used) * (2 * k + 1) // (2 * number_of_sources)])
         for k in range(number_of_sources)
     ]
-    exact = [field(vtkdgg.vtkExactGeodesicDistance, mesh, source) for source in sources]
+    exact = [vtkdgg.distance(mesh, source) for source in sources]
     floor = floor_of(mesh)
     rows = []
     for accuracy in accuracies:
@@ -58,7 +57,7 @@ def measure_mesh(path, accuracies, number_of_sources, most_points):
         start = time.process_time()
         try:
             graph = vtkdgg.Graph(mesh, accuracy=accuracy)
-        except vtkdgg.VTKError as problem:
+        except vtkdgg.Error as problem:
             row["refused"] = reason(problem)
         else:
             row["seconds"] = time.process_time() - start
@@ -88,7 +87,7 @@ def measure(folder, accuracies, number_of_sources=SOURCES, most_points=1000000, 
             warnings.simplefilter("always")
             try:
                 rows += measure_mesh(path, accuracies, number_of_sources, most_points)
-            except (ValueError, vtkdgg.VTKError) as problem:
+            except (ValueError, vtkdgg.Error) as problem:
                 refused.append({"mesh": name, "reason": reason(problem)})
         # All filters give the same warnings.
         said = dict.fromkeys(reason(warning.message) for warning in caught)

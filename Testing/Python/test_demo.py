@@ -179,7 +179,7 @@ class Demo(unittest.TestCase):
             ((garbage,), "line"),
             ((TETRAHEDRON, "--source", "4"), "point id from 0 to 3"),
             ((TETRAHEDRON, "--source", "nan,0,0"), "expected a point id, X,Y,Z or face:"),
-            ((TETRAHEDRON, "--source", "1,1,1", "--tolerance", "-1"), "--tolerance is -1"),
+            ((TETRAHEDRON, "--source", "1,1,1", "--tolerance", "-1"), "--tolerance: expected"),
             ((TETRAHEDRON, "--accuracy", "0"), "1e-0?6"),
             ((TETRAHEDRON, "--accuracy", "0.6"), "0.5"),
             ((TETRAHEDRON, "--accuracy", "nan"), "0.5"),

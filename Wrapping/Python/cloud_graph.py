@@ -100,6 +100,7 @@ class CloudGraph(Queries):
             normals = arguments.coordinates(normals, "normals")
             if len(normals) != count:
                 raise ValueError(f"normals: expected {count}, got {len(normals)}")
+        require_clouds()
         built = call(
             _kernel.cloud_graph,
             prepared,
@@ -112,6 +113,7 @@ class CloudGraph(Queries):
         surface = cloud.copy()
         surface.add_point_array("Component", built.components)
         self._take(surface, built.graph, limit, False, issued)
+        self._statistics = built.statistics
 
     @classmethod
     def from_polydata(
@@ -149,6 +151,12 @@ class CloudGraph(Queries):
                 "for example by an `accuracy`."
             )
         return found.copy()
+
+
+def require_clouds():
+    """Raises an error if vtkDGG was built without graphs of point clouds."""
+    if not hasattr(_kernel, "cloud_graph"):
+        raise ValueError("this vtkDGG has no graphs of point clouds: build it with DGG_WITH_PCL")
 
 
 # Names of the schemes in the kernel.

@@ -16,7 +16,7 @@ from vtkmodules.vtkRenderingCore import vtkCellPicker, vtkPointPicker
 from . import pictures
 from .commands.cloud_pictures import make_bands
 from .commands.sizes import spacing_of
-from .vtk_data import add_array, configured, coordinates_of
+from .vtk_data import add_array, configured, coordinates_of, structure_of
 
 # Lightness of the cells of sources, alternating.
 LIGHTNESS = (0.95, 0.80)
@@ -26,8 +26,7 @@ class Skin:
     """A surface, colored by values of its points or of cells that replace it."""
 
     def __init__(self, surface, locator):
-        numbered = vtkPolyData()
-        numbered.CopyStructure(surface)
+        numbered = structure_of(surface)
         add_array(numbered.GetPointData(), "Id", np.arange(surface.GetNumberOfPoints()))
         self._points = pictures.shaded(numbered)
         self._ids = np.array(vtk_to_numpy(self._points.GetPointData().GetArray("Id")))

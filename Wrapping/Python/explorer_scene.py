@@ -9,7 +9,6 @@ import time
 
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 from . import _kernel, arguments, meshes
 from .checks import counted
@@ -21,7 +20,15 @@ from .errors import Error, call
 from .graph import Graph, find_isolines
 from .graph_info import GraphInfo
 from .pictures import nice_step
-from .vtk_data import add_array, closest_cell, locator_of, polyline, triangulated, with_arrays
+from .vtk_data import (
+    add_array,
+    closest_cell,
+    locator_of,
+    polyline,
+    structure_of,
+    triangulated,
+    with_arrays,
+)
 
 # Roles of the places, and names of the array of each view in files.
 ROLES = ("source", "end", "corner")
@@ -79,9 +86,8 @@ class Scene:
         if accuracy is not None:
             arguments.accuracy(accuracy)
         self.surface = surface if is_cloud else _triangles_of(surface)
-        without_arrays = vtkPolyData()  # which results would interpolate
-        without_arrays.CopyStructure(self.surface)
-        self._mesh, _ = meshes.take(without_arrays)
+        # Without arrays, which isolines would interpolate.
+        self._mesh, _ = meshes.take(structure_of(self.surface))
         self.is_cloud = is_cloud
         self._uses_input_graph = info is not None
         if info is not None:

@@ -296,9 +296,14 @@ def marker(source: ArrayLike, size: float, color: ArrayLike = (0.86, 0.12, 0.16)
 
 def spacings_of(graph: vtkPointCloudDGG) -> NDArray[np.float64]:
     """Returns the spacing of the cloud around each point, which a vtkPointCloudDGG has computed."""
-    radii = vtk_to_numpy(graph.GetOutput().GetFieldData().GetArray("DGG.Radii")).astype(float)
+    radii = vtk_to_numpy(graph.GetOutput().GetFieldData().GetArray("DGG.Radii"))
+    return scaled_spacings(radii, graph.GetSpacing())
+
+
+def scaled_spacings(radii, spacing):
+    """Returns the radii of a graph of a cloud as multiples of their median times the spacing."""
     median = float(np.median(radii[radii > 0.0])) if (radii > 0.0).any() else 1.0
-    return radii * (graph.GetSpacing() / median)
+    return radii * (spacing / median)
 
 
 def disc_radii(spacings: NDArray[np.float64]) -> NDArray[np.float64]:

@@ -13,18 +13,14 @@ from vtkmodules.vtkCommonDataModel import vtkDataObject
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
 from vtkmodules.vtkCommonMisc import vtkErrorCode
 
-from .commands.words import in_arguments
 from .errors import VTKError, depth_of_package
 from .interruption import Interruption
-from .progress import Bar
 
 __all__ = ["check"]
 
 # Prefix of a message by VTK, and addresses of objects in a message.
 _PLACE = re.compile(r"\A(?:ERROR|Warning): In .*, line \d+\n")
 _ADDRESS = re.compile(r" ?\(0x[0-9a-fA-F]+\)")
-# Name of the class that reports.
-_REPORTER = re.compile(r"\A\w+: ")
 # Messages by which an executive reports a failure without its reason.
 _NO_REASON = re.compile(r"returned failure for request|No update piece number has been set")
 
@@ -63,38 +59,23 @@ def check(algorithm: vtkAlgorithm) -> Any:
     --------
     >>> mesh = vtkdgg.check(reader)
     """
-    return run(algorithm, bar=None, words=str)
-
-
-def run(algorithm, issued=None, bar=Bar, words=in_arguments):
-    """Updates an algorithm like check(), for functions of the package: with a progress bar, and
-    messages in terms of arguments.
-
-    Warnings in the set `issued` are not repeated, even if they come from another class; others are
-    added to the set. `bar` makes the progress bar, and `words` translates messages.
-    """
     if not isinstance(algorithm, vtkAlgorithm):
         raise TypeError(f"check(): expected a vtkAlgorithm, got {type(algorithm).__name__}")
     pipeline = _upstream(algorithm)
-    reports = _update(algorithm, pipeline, bar)
+    reports = _update(algorithm, pipeline)
     if not reports.errors and _failed(pipeline):
         # An earlier update failed, and its messages are lost. Another update repeats them.
         for node in _failed(pipeline):
             node.Modified()
-        reports = _update(algorithm, pipeline, bar)
+        reports = _update(algorithm, pipeline)
     failed = [node for node in _failed(pipeline) if not _recovered(node, reports)]
     if reports.errors or failed:
         # Failed algorithms must run again in the next update, even without a change.
         for node in reports.nodes + failed:
             node.Modified()
-        messages = [words(text) for text in _messages(reports, failed)]
-        raise VTKError(messages, failed[0].GetErrorCode() if failed else 0)
+        raise VTKError(_messages(reports, failed), failed[0].GetErrorCode() if failed else 0)
     for text in reports.warnings:
-        said = _REPORTER.sub("", text)
-        if issued is None or said not in issued:
-            warnings.warn(words(text), RuntimeWarning, stacklevel=depth_of_package())
-        if issued is not None:
-            issued.add(said)
+        warnings.warn(text, RuntimeWarning, stacklevel=depth_of_package())
     if algorithm.GetNumberOfOutputPorts() == 0:
         return None
     return algorithm.GetOutputDataObject(0)
@@ -132,9 +113,8 @@ def _upstream(algorithm):
     return found
 
 
-def _update(algorithm, pipeline, bar):
+def _update(algorithm, pipeline):
     reports = _Reports()
-    bar = bar and bar()
     interruption = Interruption()
 
     def watch(target, node):
@@ -160,8 +140,6 @@ def _update(algorithm, pipeline, bar):
         if interruption.raised:
             caller.SetAbortExecute(1)
             stopped.append(caller)
-        elif bar:
-            bar.show(caller.GetClassName(), caller.GetProgress())
 
     watched = []
     for node in pipeline:
@@ -183,8 +161,6 @@ def _update(algorithm, pipeline, bar):
         vtkObject.SetGlobalWarningDisplay(display)
         for target, tag in watched:
             target.RemoveObserver(tag)
-        if bar:
-            bar.close()
     if interruption.raised:
         for node in stopped:
             # Modifies the node, so that it runs again. VTK 9.3 and later do not clear the flag.

@@ -85,6 +85,13 @@ def shallow_copy(polydata):
     return result
 
 
+def structure_of(polydata):
+    """Returns a new vtkPolyData that shares points and cells, without arrays."""
+    result = vtkPolyData()
+    result.CopyStructure(polydata)
+    return result
+
+
 def with_arrays(polydata, arrays):
     """Returns a shallow copy with further point arrays, of which the first is active."""
     result = shallow_copy(polydata)
@@ -250,11 +257,6 @@ def shared_array(values, name):
     array = numpy_to_vtk(values)
     array.SetName(name)
     return array
-
-
-def array_of(data, name):
-    """Returns a copy of an array of VTK, whose memory belongs to a filter."""
-    return np.array(vtk_to_numpy(data.GetArray(name)))
 
 
 def named_arrays(data):

@@ -22,7 +22,6 @@ from tables import (
     table,
     vertices_text,
 )
-from vtkdgg.commands.methods import field, heat
 from vtkdgg.commands.sizes import floor_of
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
@@ -111,7 +110,7 @@ class Links(Exhibit):
         graph, built = timed(lambda: vtkdgg.Graph(mesh, accuracy=ACCURACY))
         faces = np.random.default_rng(surfaces.SEED).choice(len(triangles), self.sources)
         places = points[triangles[faces]].mean(axis=1)
-        exact = [field(vtkdgg.vtkExactGeodesicDistance, mesh, place) for place in places.tolist()]
+        exact = [vtkdgg.distance(mesh, place) for place in places]
         graph.distance(0)
         graph.distance(places[:1])  # prepares the search
         times = {"vertex": [], "face": []}
@@ -246,6 +245,13 @@ class GreenSums(Exhibit):
         )
 
 
+def heat(mesh, source, has_flips):
+    """Returns distances by the heat method, with all preparation."""
+    prepared = vtkdgg._kernel.Surface(*surfaces.arrays_of(mesh))
+    found = vtkdgg._kernel.heat_distance(prepared, [source], intrinsic_delaunay=has_flips)
+    return found.point_data["GeodesicDistance"]
+
+
 class Flips(Exhibit):
     """The heat method with intrinsic flips, and on a mesh that is Delaunay by added vertices. Errors are
     those at the original vertices. The time is that with added vertices relative to that with flips, for
@@ -269,11 +275,10 @@ class Flips(Exhibit):
         row = {"model": name, "vertices": len(points)}
         row["split"] = split.GetNumberOfPoints() / len(points)
         exact = exact_fields(run, name)
-        with_flips = vtkdgg.vtkHeatGeodesicDistance  # flips edges by default
-        for kind, surface, make in (("flips", mesh, with_flips), ("added", split, heat)):
+        for kind, surface in (("flips", mesh), ("added", split)):
             found, seconds = timed(
-                lambda surface=surface, make=make: [
-                    field(make, surface, source)[: len(points)] for source in sources_of(mesh)
+                lambda surface=surface, has_flips=kind == "flips": [
+                    heat(surface, source, has_flips)[: len(points)] for source in sources_of(mesh)
                 ]
             )
             row[kind] = {"seconds": seconds, "error": summary(found, exact, floor_of(mesh))}

@@ -24,7 +24,7 @@ from tables import (
 )
 from vtkdgg.commands import compare_methods, places
 from vtkdgg.commands.measured import Errors
-from vtkdgg.commands.methods import field, methods
+from vtkdgg.commands.methods import methods
 from vtkdgg.commands.sizes import floor_of
 
 from . import surfaces
@@ -46,8 +46,7 @@ def exact_fields(run, name, count=SOURCES):
 
     def make():
         mesh = run.mesh(name)
-        make_filter = vtkdgg.vtkExactGeodesicDistance
-        return [field(make_filter, mesh, source) for source in sources_of(mesh, count)]
+        return [vtkdgg.distance(mesh, source) for source in sources_of(mesh, count)]
 
     return run.once(("exact", name, count), make)
 
@@ -221,8 +220,8 @@ class LevelsOfDetail(Exhibit):
             name = f"bumpy-{level}"
             mesh = run.mesh(name)
             levels[mesh.GetNumberOfPoints()] = {
-                title: summary_of(run, name, lambda source, make=make: field(make, mesh, source))
-                for title, make in methods(mesh, self.accuracy).items()
+                title: summary_of(run, name, distances)
+                for title, distances in methods(mesh, self.accuracy).items()
             }
         return levels
 

@@ -30,7 +30,6 @@ from tables import (
     tenths,
     vertices_text,
 )
-from vtkdgg.commands.methods import field
 
 from . import searches
 from .exhibit import (
@@ -321,8 +320,7 @@ class Comparison(Exhibit):
 
     def measure_mesh(self, run, name, accuracies):
         mesh = run.mesh(name)
-        exact = vtkdgg.vtkExactGeodesicDistance
-        _, unit = timed(lambda: field(exact, mesh, sources_of(mesh)[0]))
+        _, unit = timed(lambda: vtkdgg.distance(mesh, sources_of(mesh)[0]))
 
         def figures(**options):
             found = graph_figures(run, name, **options)

@@ -5,10 +5,19 @@
 import measure_isolines
 import numpy as np
 import vtkdgg
-from measure_isolines import METHODS, exact_with, gain, levels_of, line_errors, linear, solved, traced
+from measure_isolines import (
+    INPUTS,
+    METHODS,
+    exact_with,
+    gain,
+    levels_of,
+    line_errors,
+    linear,
+    solved,
+    traced,
+)
 from plots import STYLES, Panel, plot
 from tables import column, count_text, gain_text, joined, listing, named, percent, range_text, slope
-from vtkdgg.commands.methods import graph as graph_of
 
 from .exhibit import NOT_COMPARABLE, Exhibit, Verdict, judged, most_frequent
 from .fields import sources_of
@@ -197,7 +206,7 @@ class ApproximateInput(Exhibit):
         exact = exact_with(mesh, sources, True)
         inputs = {
             "exact": vtkdgg.vtkExactGeodesicDistance,
-            "DGG, ε = 0.01": graph_of(0.01),
+            "DGG, ε = 0.01": INPUTS["DGG"](0.01),
             "heat": vtkdgg.vtkHeatGeodesicDistance,
             "fast marching": vtkdgg.vtkDGGFastMarchingDistance,
         }

@@ -12,6 +12,7 @@ import numpy as np
 import vtkdgg
 
 from .. import _kernel, arguments, meshes, paths, writing
+from ..cloud_graph import require_clouds
 from ..distances import METHODS as FUNCTIONS
 from ..errors import call
 from ..graph import MOST_VALUES, even_values, find_isolines
@@ -508,12 +509,11 @@ def render(options):
 def explore(options):
     """Window on a surface or a cloud, for clicks and drags."""
     from .. import explorer
-    from .methods import cloud_builder
 
     contents, is_cloud = read(options)
     if is_cloud:
         refuse_on_clouds(options)
-        cloud_builder(None)  # an error where there are none of clouds
+        require_clouds()
         contents = files.finite_points(contents, options.file)
     place = places.choose(options.source, contents)
     contents = contents.as_polydata()

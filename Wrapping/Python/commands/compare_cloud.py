@@ -6,14 +6,13 @@ import os
 
 import numpy as np
 import vtkdgg
-from vtkmodules.util.numpy_support import vtk_to_numpy
 
 from ..checks import counted
-from ..pictures import spacings_of
-from ..vtk_data import coordinates_of, with_arrays
+from ..pictures import scaled_spacings
+from ..vtk_data import with_arrays
 from . import bounds, cloud_pictures, places
 from .files import are_finite, points_of
-from .methods import Graph, Path, Query, cloud_builder
+from .methods import Query, timed
 from .output import defects, distance_rows, graph_rows, position
 
 # Relative rounding error of edge lengths.
@@ -35,14 +34,14 @@ def on_cloud(options, contents, read_time):
     source = places.choose(options.source, cloud)
     if isinstance(source, int) and not finite[source]:
         raise ValueError(f"--source {source}: this point is not finite")
-    graph = Graph(cloud_builder(cloud))
-    components = graph.output.GetPointData().GetArray(graph.filter.GetComponentArrayName())
-    component = vtk_to_numpy(components)
+    graph, build_time = timed(vtkdgg.CloudGraph, cloud)
+    component, figures = graph.components, graph._statistics
     if source is None:
         source = far_point(points, component)
-    query = Query(graph, cloud, source, False, options.tolerance)
+    query = Query(graph, source, options.tolerance)
     farthest = int(np.nanargmax(query.distances))
-    path = Path(graph, source, farthest, options.tolerance)
+    path, path_time = timed(graph._path, source, farthest, projection_tolerance=options.tolerance)
+    length = path.cell_data["Length"][0]
     location = points[source] if isinstance(source, int) else np.array(source)
 
     os.makedirs(options.out, exist_ok=True)
@@ -50,31 +49,31 @@ def on_cloud(options, contents, read_time):
     paths = [os.path.join(options.out, name) for name in names]
     arrays = {"GeodesicDistance": query.distances, "Component": component}
     vtkdgg.write(paths[0], with_arrays(cloud, arrays))
-    vtkdgg.write(paths[1], path.output)
+    vtkdgg.write(paths[1], graph._polydata(path))
     cloud_pictures.save_distances(
         paths[2],
         points[finite],
         query.distances[finite],
-        spacings_of(graph.filter)[finite],
-        coordinates_of(path.output),
-        note(graph, query, path),
+        scaled_spacings(graph._arrays["DGG.Radii"], figures["spacing"])[finite],
+        path.points,
+        note(graph, build_time, query, length),
     )
 
-    noise = graph.filter.GetNoise()
+    noise = figures["noise"]
     shorter = 0 if noise > 0.0 else number_too_short(query.distances, cloud, location)
     rows = (
         ("cloud", options.mesh),
         ("points", len(points)),
-        ("defects", defects_of(graph.filter)),
+        ("defects", defects_of(figures)),
         ("reading", f"{read_time:.3f} s"),
         ("source", position(location, source)),
         (
             "sampling",
-            f"spacing {graph.filter.GetSpacing():.4g}, noise {noise:.2g}, "
-            f"edges reach {graph.filter.GetReach():.4g} model units",
+            f"spacing {figures['spacing']:.4g}, noise {noise:.2g}, "
+            f"edges reach {figures['reach']:.4g} model units",
         ),
-        *graph_rows(graph, query),
-        ("components", component_text(graph.filter)),
+        *graph_rows(graph, build_time, query),
+        ("components", component_text(component)),
         *distance_rows(query.distances, "points"),
         (
             "lower bound",
@@ -84,7 +83,7 @@ def on_cloud(options, contents, read_time):
             + counted(np.isfinite(query.distances).sum(), "point"),
         ),
         ("farthest", position(points[farthest], farthest)),
-        ("path", f"{path.length:.6g} model units long, found in {1e3 * path.time:.1f} ms"),
+        ("path", f"{length:.6g} model units long, found in {1e3 * path_time:.1f} ms"),
         ("written", ", ".join(paths)),
     )
     violations = [f"{shorter} distances are shorter than straight lines"] if shorter else []
@@ -99,31 +98,31 @@ def number_too_short(distances, cloud, location):
         return int((distances < straight * (1.0 - ROUNDING) - slack).sum())
 
 
-def defects_of(graph):
-    """Returns a line that counts the defects of the cloud."""
-    return defects(
-        [],
-        (graph.GetNumberOfUnusedPoints(), "point that is not finite", "points that are not finite"),
-        (graph.GetNumberOfOutliers(), "stray point"),
-        (graph.GetNumberOfCoincidentPoints(), "coincident point"),
+def defects_of(figures):
+    """Returns a line that counts the defects of a cloud with these statistics."""
+    units = (
+        ("unused_points", "point that is not finite", "points that are not finite"),
+        ("outliers", "stray point"),
+        ("coincident_points", "coincident point"),
     )
+    return defects([], *((figures[f"number_of_{key}"], *unit) for key, *unit in units))
 
 
-def component_text(graph):
+def component_text(component):
     """Returns the number of components and the sizes of the largest ones as text."""
-    count = graph.GetNumberOfComponents()
-    sizes = [str(graph.GetComponentSize(i)) for i in range(min(count, 4))]
+    count = int(component.max()) + 1
+    sizes = list(map(str, np.bincount(component[component >= 0])[:4]))
     more = ", ..." if count > len(sizes) else ""
     return f"{count}, with {', '.join(sizes)}{more} {'point' if sizes == ['1'] else 'points'}"
 
 
-def note(graph, query, path):
+def note(graph, build_time, query, length):
     """Returns the lines of text of the picture."""
     return (
-        counted(graph.output.GetNumberOfPoints(), "point"),
-        counted(graph.filter.GetNumberOfGraphEdges(), "edge"),
-        counted(graph.filter.GetNumberOfComponents(), "component"),
-        f"build  {graph.build_time:.2f} s",
+        counted(graph.number_of_points, "point"),
+        counted(len(graph.targets), "edge"),
+        counted(int(graph.components.max()) + 1, "component"),
+        f"build  {build_time:.2f} s",
         f"query  {1e3 * query.time:.1f} ms",
-        f"path  {path.length:.4g}",
+        f"path  {length:.4g}",
     )

@@ -9,11 +9,11 @@ import vtkdgg
 
 from .. import arguments
 from ..checks import counted
-from ..vtk_data import triangulated, with_arrays
+from ..vtk_data import structure_of, triangulated, with_arrays
 from . import bounds, places
 from .compare import DEFAULT_ACCURACY
 from .measured import Errors
-from .methods import Direct, Graph, Query, builder
+from .methods import Query, timed
 from .output import defects, distance_rows, graph_rows, position
 from .sizes import floor_of, notes
 
@@ -22,40 +22,28 @@ ERROR_COLUMNS = "{:<10} {:<10} {}".format
 METHODS = {"virtual sources": "fast", "fast marching": "marching"}
 
 
-def counts_of(distance):
-    """Returns a function that returns an integer of the mesh report by its name."""
-    report = distance.GetMeshReportTable()
-    return lambda name: int(report.GetColumnByName(name).GetValue(0))
-
-
-def defects_of(distance):
-    """Returns a line that counts the defects of the mesh."""
-    count = counts_of(distance)
-    others = [] if count("Orientable") else ["no consistent orientation"]
-    return defects(
-        others,
-        (count("NumberOfNonManifoldEdges"), "non-manifold edge"),
-        (count("NumberOfNonManifoldVertices"), "non-manifold vertex", "non-manifold vertices"),
-        (
-            count("NumberOfDroppedFaces"),
-            "face with repeated points",
-            "faces with repeated points",
-        ),
-        (count("NumberOfDegenerateFaces"), "triangle without area", "triangles without area"),
-        (count("NumberOfDuplicateFaces"), "duplicate triangle"),
-        (count("NumberOfCoincidentPoints"), "coincident point"),
-        (count("NumberOfIsolatedPoints"), "isolated point"),
+def defects_of(report):
+    """Returns a line that counts the defects in the report of a mesh."""
+    others = [] if report["orientable"] else ["no consistent orientation"]
+    units = (
+        ("non_manifold_edges", "non-manifold edge"),
+        ("non_manifold_vertices", "non-manifold vertex", "non-manifold vertices"),
+        ("dropped_faces", "face with repeated points", "faces with repeated points"),
+        ("degenerate_faces", "triangle without area", "triangles without area"),
+        ("duplicate_faces", "duplicate triangle"),
+        ("coincident_points", "coincident point"),
+        ("isolated_points", "isolated point"),
     )
+    return defects(others, *((int(report[f"number_of_{key}"]), *unit) for key, *unit in units))
 
 
-def topology(distance):
+def topology(report):
     """Returns a line on components, boundary and genus."""
-    count = counts_of(distance)
-    genus = count("Genus")
+    genus = report["genus"]
     return (
-        f"components {count('NumberOfComponents')}, "
-        f"boundary loops {count('NumberOfBoundaryLoops')}, "
-        + (f"genus {genus}" if genus >= 0 else "no genus")
+        f"components {report['number_of_components']:.0f}, "
+        f"boundary loops {report['number_of_boundary_loops']:.0f}, "
+        + (f"genus {genus:.0f}" if genus >= 0 else "no genus")
     )
 
 
@@ -115,7 +103,7 @@ def write(folder, mesh, source, query, exact, errors, accuracy):
         {
             "GeodesicDistance": query.distances,
             "GeodesicUpperBound": query.upper_bound,
-            "ExactDistance": exact.distances,
+            "ExactDistance": exact,
             "RelativeError": errors.signed,
         },
     )
@@ -145,22 +133,25 @@ def on_mesh(options, contents, read_time):
     arguments.accuracy(accuracy)
     location, corners = places.locate(mesh, source)
 
-    given = mesh, source, options.merge, options.tolerance
+    plain = structure_of(mesh)  # without any graph
+    merging = {"merge_coincident_points": options.merge}
+    given = {**merging, "projection_tolerance": options.tolerance}
     measured = {}
     if options.methods:
         from . import compare_methods
 
-        _, measured = compare_methods.measure(mesh, source, accuracy, *given[2:])
-    first = Direct(vtkdgg.vtkVirtualSourceGeodesicDistance, *given)
-    graph = Graph(builder(mesh, "Guaranteed", accuracy, merge=options.merge))
-    query = Query(graph, *given)
-    exact = Direct(vtkdgg.vtkExactGeodesicDistance, *given)
+        how = options.merge, options.tolerance
+        _, measured = compare_methods.measure(plain, source, accuracy, *how)
+    first, first_time = timed(vtkdgg.distance, plain, source, method="fast", **given)
+    graph, build_time = timed(vtkdgg.Graph, plain, accuracy=accuracy, **merging)
+    query = Query(graph, source, options.tolerance)
+    exact, exact_time = timed(vtkdgg.distance, plain, source, **given)
     floor = floor_of(mesh)
-    sooner = Errors(first.distances, exact.distances, floor)
-    raw = Errors(query.upper_bound, exact.distances, floor)
-    corrected = Errors(query.distances, exact.distances, floor)
+    sooner = Errors(first, exact, floor)
+    raw = Errors(query.upper_bound, exact, floor)
+    corrected = Errors(query.distances, exact, floor)
     agreement = bounds.compare(
-        exact.distances,
+        exact,
         bounds.upper_bound(mesh, location, corners),
         bounds.lower_bound(mesh, location),
     )
@@ -169,22 +160,23 @@ def on_mesh(options, contents, read_time):
         paths.append(os.path.join(options.out, "methods.png"))
         compare_methods.save(paths[-1], mesh, location, measured)
 
-    searching = (query.filter.GetMemorySize() - graph.filter.GetMemorySize()) / 1e6
+    searching = graph._graph.search_memory_size / 1e6
+    report = graph._prepared.report()
     rows = (
         (
             "first answer",
-            f"after {1e3 * first.time:.1f} ms, by virtual sources: mean error "
+            f"after {1e3 * first_time:.1f} ms, by virtual sources: mean error "
             f"{percent(sooner.mean)}, largest {percent(sooner.largest)}",
         ),
         ("mesh", options.mesh),
         ("vertices", mesh.GetNumberOfPoints()),
         ("triangles", mesh.GetNumberOfPolys()),
-        ("topology", topology(query.filter)),
-        ("defects", defects_of(query.filter)),
+        ("topology", topology(report)),
+        ("defects", defects_of(report)),
         ("reading", f"{read_time:.3f} s"),
         ("source", position(location, source)),
-        *graph_rows(graph, query, f" ({searching:.1f} MB more for searches)"),
-        ("exact", f"{1e3 * exact.time:.1f} ms for exact distances"),
+        *graph_rows(graph, build_time, query, f" ({searching:.1f} MB more for searches)"),
+        ("exact", f"{1e3 * exact_time:.1f} ms for exact distances"),
         *error_rows(raw, corrected, accuracy),
         *near_rows(corrected, floor),
         *method_rows(measured),

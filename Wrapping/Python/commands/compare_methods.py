@@ -12,7 +12,7 @@ from vtkmodules.vtkRenderingCore import vtkRenderer
 from .. import pictures
 from ..vtk_data import configured, with_arrays
 from .measured import Errors
-from .methods import field, methods
+from .methods import methods
 from .sizes import floor_of
 
 COLUMNS = 4  # largest number
@@ -29,11 +29,12 @@ BINS = 40
 
 def measure(mesh, source, accuracy, merge=False, tolerance=0.01):
     """Returns the exact distances, and the Errors of each method by its title."""
-    exact = field(vtkdgg.vtkExactGeodesicDistance, mesh, source, merge, tolerance)
+    how = {"merge_coincident_points": merge, "projection_tolerance": tolerance}
+    exact = vtkdgg.distance(mesh, source, **how)
     floor = floor_of(mesh)
     return exact, {
-        title: Errors(field(make, mesh, source, merge, tolerance), exact, floor)
-        for title, make in methods(mesh, accuracy, merge).items()
+        title: Errors(distances(source), exact, floor)
+        for title, distances in methods(mesh, accuracy, merge, tolerance).items()
     }
 
 

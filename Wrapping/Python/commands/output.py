@@ -4,6 +4,7 @@
 
 import numpy as np
 
+from .. import _kernel
 from ..checks import counted
 from .words import notes_of
 
@@ -28,18 +29,15 @@ def position(location, point=None):
     return f"point {point} at {text}" if isinstance(point, int) else text
 
 
-def graph_rows(graph, query, more=""):
+def graph_rows(graph, build_time, query, more=""):
     """Returns rows on the size of a graph, followed by the text `more`, and on times."""
-    from vtkmodules.vtkCommonCore import vtkSMPTools
-
-    size = graph.filter.GetMemorySize() / 1e6
-    threads = counted(vtkSMPTools.GetEstimatedNumberOfThreads(), "thread")
+    size = graph._graph.memory_size / 1e6
+    threads = counted(_kernel.get_number_of_threads(), "thread")
     return (
-        ("build", f"{graph.build_time:.3f} s on {threads}"),
+        ("build", f"{build_time:.3f} s on {threads}"),
         (
             "graph",
-            f"degree {graph.filter.GetMeanDegree():.1f}, {graph.filter.GetNumberOfGraphEdges()} "
-            f"edges, {size:.1f} MB{more}",
+            f"degree {graph.degree:.1f}, {len(graph.targets)} edges, {size:.1f} MB{more}",
         ),
         (
             "query",

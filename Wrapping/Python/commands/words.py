@@ -20,27 +20,6 @@ x: export what is shown (.vtp, .csv)
 h: this help
 q: quit"""
 
-# Properties of filters that are arguments of functions.
-_ARGUMENTS = {
-    "Accuracy": "accuracy",
-    "Alpha": "alpha",
-    "Boundary": "boundary",
-    "Construction": "construction",
-    "FirstSample": "first",
-    "InFaces": "in_faces",
-    "MaximumDistance": "maximum_distance",
-    "MemoryLimit": "memory_limit",
-    "MergeCoincidentPoints": "merge_coincident_points",
-    "MergeTolerance": "merge_tolerance",
-    "Method": "method",
-    "NumberOfIterations": "iterations",
-    "NumberOfNeighbors": "number_of_neighbors",
-    "NumberOfSamples": "number_of_samples",
-    "ProjectionTolerance": "projection_tolerance",
-    "Resolution": "resolution",
-    "SourceIds": "sources",
-}
-_PROPERTY = re.compile(rf"\b({'|'.join(_ARGUMENTS)})\b")
 # Arguments of functions, and the options that set them.
 OPTIONS = {
     "accuracy": "--accuracy",
@@ -57,20 +36,15 @@ OPTIONS = {
 }
 
 
-def in_arguments(text):
-    """Returns a message of a filter with arguments, in backticks, in place of properties."""
-    return _PROPERTY.sub(lambda match: f"`{_ARGUMENTS[match[1]]}`", text)
-
-
 def in_options(text):
     """Returns a message of a filter or a function with options in place of arguments, which are in
     backticks or in front. The name of the filter is removed."""
-    text = re.sub(r"\bvtk(?!dgg)\w+: ", "", in_arguments(text))
+    text = re.sub(r"\bvtk(?!dgg)\w+: ", "", text)
     text = re.sub(r"`(\w+)`", lambda match: OPTIONS.get(match[1], match[1].replace("_", " ")), text)
     first, colon, rest = text.partition(": ")
     return OPTIONS.get(first, first) + colon + rest
 
 
 def notes_of(caught):
-    """Returns the texts of warnings, each once: every filter reports defects of the input."""
+    """Returns the texts of warnings, each once: every method reports defects of the input."""
     return list(dict.fromkeys(in_options(str(warning.message)) for warning in caught))

@@ -303,7 +303,9 @@ void AddGraph(py::module_& module)
     .def_property_readonly(
       "number_of_edges", [](const Graph& graph) { return graph.GetSummary().NumberOfEdges; })
     .def_property_readonly(
-      "memory_size", [](const Graph& graph) { return graph.GetSummary().MemorySize; });
+      "memory_size", [](const Graph& graph) { return graph.GetSummary().MemorySize; })
+    .def_property_readonly("search_memory_size", &Graph::GetSearchMemorySize,
+      "Bytes of the data that calls on this graph reuse.");
   AddGraphQueries(type);
 }
 }

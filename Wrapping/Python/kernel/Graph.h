@@ -12,8 +12,9 @@
 
 #include <pybind11/pybind11.h>
 
-#include <memory> // for the surface
-#include <vector> // for radii
+#include <cstddef> // for std::size_t
+#include <memory>  // for the surface
+#include <vector>  // for radii
 
 namespace dggPython
 {
@@ -53,6 +54,13 @@ public:
   const dgg::GraphSummary& GetSummary() const { return this->Prepared->GetSummary(); }
   /// Destroys the sessions that no call uses.
   void Release() { this->Sessions.Clear(); }
+  /// Returns the number of bytes of these sessions, without the graph.
+  std::size_t GetSearchMemorySize() const
+  {
+    return this->Sessions.Sum([this](const dgg::GraphSession& session) {
+      return session.GetMemorySize() - this->GetSummary().MemorySize;
+    });
+  }
 
 private:
   /// Prepares the graph, whose arrays are complete.

@@ -5,6 +5,7 @@
 #ifndef SessionPool_h
 #define SessionPool_h
 
+#include <cstddef> // for std::size_t
 #include <memory>  // for the sessions
 #include <mutex>   // for the lock
 #include <utility> // for std::move
@@ -17,6 +18,8 @@ class AnySessionPool
 {
 public:
   virtual ~AnySessionPool() = default;
+  /// Returns the number of sessions that no call uses.
+  virtual std::size_t GetSize() = 0;
   /// Destroys the sessions that no call uses.
   virtual void Clear() = 0;
 };
@@ -27,10 +30,29 @@ template <typename Session>
 class SessionPool : public AnySessionPool
 {
 public:
+  std::size_t GetSize() override
+  {
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    return this->Unused.size();
+  }
+
   void Clear() override
   {
     const std::lock_guard<std::mutex> lock(this->Mutex);
     this->Unused.clear();
+  }
+
+  /// Returns the sum of a function over the sessions that no call uses.
+  template <typename Function>
+  std::size_t Sum(const Function& getSize)
+  {
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    std::size_t sum = 0;
+    for (const std::unique_ptr<Session>& session : this->Unused)
+    {
+      sum += getSize(*session);
+    }
+    return sum;
   }
 
   /// A session in use, which returns to the pool at the end.

@@ -155,6 +155,18 @@ Surface::Surface(const py::handle& points, const py::handle& cells, const py::kw
 }
 
 //------------------------------------------------------------------------------
+std::size_t Surface::GetNumberOfSessions() const
+{
+  const std::lock_guard<std::mutex> lock(this->Mutex);
+  std::size_t count = 0;
+  for (const auto& [kind, pool] : this->Pools)
+  {
+    count += pool->GetSize();
+  }
+  return count;
+}
+
+//------------------------------------------------------------------------------
 void Surface::Release()
 {
   const std::lock_guard<std::mutex> lock(this->Mutex);
@@ -193,6 +205,9 @@ void AddSurface(py::module_& module)
       "Warnings about the surface.")
     .def("report", &MakeReport, "Size, defects and quality of the surface: numbers by name.")
     .def("closest_points", &FindClosestPoints, py::arg("positions"), ClosestPointsDocumentation)
+    .def_property_readonly("number_of_sessions", &Surface::GetNumberOfSessions,
+      "Number of sessions that calls reuse: one for each kind of call, more after simultaneous "
+      "calls.")
     .def("release", &Surface::Release, "Releases the data that calls on this surface reuse.");
 }
 }

@@ -12,6 +12,7 @@
 
 #include <pybind11/pybind11.h>
 
+#include <cstddef>   // for std::size_t
 #include <memory>    // for pools
 #include <mutex>     // for pools
 #include <typeindex> // for kinds of pools
@@ -44,7 +45,9 @@ public:
     }
     return static_cast<SessionPool<Session>&>(*pool);
   }
-  /// Releases the sessions that no call uses.
+  /// Returns the number of sessions of all kinds that no call uses.
+  std::size_t GetNumberOfSessions() const;
+  /// Releases these sessions.
   void Release();
 
 private:
