@@ -4,10 +4,7 @@
 contains already."""
 
 import os
-import sys
 import unittest
-from concurrent.futures import ThreadPoolExecutor
-from unittest import mock
 
 import numpy as np
 import support
@@ -38,57 +35,34 @@ class Distance(unittest.TestCase):
         self.assertTrue((found >= exact * (1 - 1e-9)).all())
 
     def test_options(self):
-        """Sources and options reach the filter."""
+        """Sources and options are those of the function, which has a graph for one call."""
         weights = np.array([[0.2, 0.3, 0.5], [0.0, 0.4, 0.6], [0.98, 0.01, 0.01]])
         places = np.einsum("ij,ijk->ik", weights, self.points[self.triangles[[7, 400, 900]]])
         offsets = [0.5, 0.25, 0.75]
         for sources in ([5, 400, 90], places):
-            search = support.make(
-                "vtkDGGDistance",
-                self.graph.polydata,
-                GenerateNearestSource=True,
-                MaximumDistance=0.6,
-                UnreachedValue=-1.0,
-            )
-            if sources is places:
-                data = support.polydata(places)
-                support.add_array(data.GetPointData(), "InitialDistance", offsets)
-                search.SetSourceData(data)
-            else:
-                search.SetSourceIds(sources, offsets)
-            output = vtkdgg.check(search)
-            found = self.graph.distance(
-                sources,
-                initial_distances=offsets,
-                maximum_distance=0.6,
-                unreached=-1.0,
-                return_source=True,
-            )
-            for values, name in zip(found, ("GeodesicDistance", "GeodesicSource")):
-                np.testing.assert_array_equal(values, support.point_array(output, name))
+            options = {"initial_distances": offsets, "maximum_distance": 0.6, "unreached": -1.0}
+            options["return_source"] = True
+            found = self.graph.distance(sources, **options)
+            expected = vtkdgg.distance(self.graph.polydata, sources, **options)
+            for values, others in zip(found, expected):
+                np.testing.assert_array_equal(values, others)
             self.assertEqual(set(found[1]), {-1, 0, 1})
             moved = self.graph.distance(sources, initial_distances=-2.0)
             expected = self.graph.distance(sources)  # without the options of the query before
             np.testing.assert_allclose(moved, expected - 2.0, rtol=1e-12, atol=1e-12)
 
-    def test_threads(self):
-        expected = [self.graph.distance(source) for source in range(20)]
-        interval = sys.getswitchinterval()
-        sys.setswitchinterval(1e-6)
-        try:
-            with ThreadPoolExecutor(4) as pool:
-                found = list(pool.map(self.graph.distance, list(range(20)) * 10))
-        finally:
-            sys.setswitchinterval(interval)
-        for k, distances in enumerate(found):
-            np.testing.assert_array_equal(distances, expected[k % 20])
-
     def test_arrays_are_copied(self):
         points, triangles = support.folded()
-        graph = vtkdgg.Graph(points, triangles)
-        expected = graph.distance(4)
-        points[:], triangles[:] = 7.0, 0
-        np.testing.assert_array_equal(graph.distance(4), expected)
+        mesh = vtkdgg.Mesh(points, triangles)
+        for given, arrays in (
+            ((points, triangles), (points, triangles)),
+            ((mesh,), (mesh.points, *mesh.polygons)),
+        ):
+            graph = vtkdgg.Graph(*given)
+            expected = graph.distance((2, (0.5, 0.25, 0.25)))
+            for array in arrays:
+                array[:] = 0
+            np.testing.assert_array_equal(graph.distance((2, (0.5, 0.25, 0.25))), expected)
 
     def test_warnings_are_reported_once(self):
         # Three triangles on one edge.
@@ -149,12 +123,6 @@ class Arrays(unittest.TestCase):
             self.assertEqual("accuracy" in repr(graph), not options)
             edges.add(len(graph.targets))
         self.assertEqual(len(edges), 5)
-
-    def test_without_scipy(self):
-        with mock.patch.dict("sys.modules", {"scipy": None, "scipy.sparse": None}):
-            with self.assertRaisesRegex(ImportError, "Graph.csr needs SciPy"):
-                _ = self.graph.csr
-        self.assertEqual(self.graph.distance(0)[0], 0.0)
 
     @unittest.skipIf(scipy is None, "SciPy is not installed")
     def test_csr(self):

@@ -315,6 +315,36 @@ class Calls(unittest.TestCase):
         del surface
         np.testing.assert_array_equal(coordinates, points)
 
+    def test_arrays_are_copied(self):
+        points, triangles = (array.copy() for array in PLANE)
+        surface = kernel.Surface(points, triangles)
+        points[:], triangles[:] = 7.0, 0
+        for sources in ([0], {"cells": [100], "barycentric": [[0.5, 0.25, 0.25]]}):
+            np.testing.assert_array_equal(
+                field(kernel.exact_distance, surface, sources),
+                field(kernel.exact_distance, SURFACE, sources),
+            )
+
+    def test_reuse(self):
+        """Calls of one kind reuse their data until release()."""
+        surface = kernel.Surface(*PLANE)
+        for count, function in enumerate(
+            (
+                kernel.virtual_source_distance,
+                kernel.fast_marching_distance,
+                kernel.heat_distance,
+                kernel.greens_function,
+                kernel.biharmonic_distance,
+                kernel.harmonic_spline,
+            ),
+            1,
+        ):
+            for source in (0, 5):
+                function(surface, [source])
+                self.assertEqual(surface.number_of_sessions, count)
+        surface.release()
+        self.assertEqual(surface.number_of_sessions, 0)
+
     def test_copies_of_graphs(self):
         arrays = GRAPH.arrays
         self.assertFalse(any(array.flags.writeable for array in arrays.values()))
