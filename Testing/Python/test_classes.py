@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What Python adds to the compiled classes: kinds of ids, arrays as NumPy, paths, observers,
-exceptions, and objects that are released. Their results are tested in C++."""
+"""What Python adds to the compiled classes: kinds of ids, arrays as NumPy, paths, and objects that
+are released. Their results are tested in C++."""
 
 import gc
 import os
@@ -94,22 +94,7 @@ class Ids(support.Test):
         np.testing.assert_array_equal(distances_of(distance), expected)
 
 
-class Errors(unittest.TestCase):
-    def test_exceptions(self):
-        graph = made(vtkdgg.vtkDiscreteGeodesicGraph, Accuracy=2.0)
-        distance = vtkdgg.vtkDGGDistance()
-        distance.SetInputConnection(graph.GetOutputPort())
-        distance.SetSourceIds([0])
-        for algorithm in (graph, distance):  # the error is that of the first filter
-            with self.assertRaisesRegex(vtkdgg.VTKError, "vtkDiscreteGeodesicGraph.*0.5") as caught:
-                vtkdgg.check(algorithm)
-            self.assertNotEqual(caught.exception.code, 0)
-            self.assertEqual(algorithm.GetOutput().GetNumberOfPoints(), 0)
-        graph.SetAccuracy(0.2)
-        self.assertEqual(distances_of(distance)[0], 0.0)
-        with self.assertRaises(TypeError):
-            graph.SetAccuracy("fine")
-
+class Kinds(unittest.TestCase):
     def test_bases_are_abstract(self):
         for base, kind in (
             (vtkdgg.vtkGeodesicAlgorithm, vtkdgg.vtkGeodesicDistanceMatrix),
@@ -148,31 +133,6 @@ class Errors(unittest.TestCase):
         self.assertGreater(answers, 60)
 
 
-class Observers(unittest.TestCase):
-    def test_progress_and_abort(self):
-        distance = made(
-            vtkdgg.vtkExactGeodesicDistance, support.polydata(*support.grid(60, 60)), SourceIds=[0]
-        )
-        seen = []
-
-        def stop(caller, event):
-            if caller.GetAbortExecute() and caller.GetProgress() == 1.0:
-                return  # not of the filter: later versions of VTK report the end, too
-            seen.append(caller.GetProgress())
-            if seen[-1] > 0.0:
-                caller.AbortExecuteOn()
-
-        tag = distance.AddObserver("ProgressEvent", stop)
-        distance.Update()
-        self.assertEqual(seen, sorted(seen))
-        self.assertLess(seen[-1], 1.0)
-        self.assertEqual(distance.GetOutput().GetNumberOfPoints(), 0)
-        self.assertEqual(distance.GetErrorCode(), 0)
-        distance.RemoveObserver(tag)
-        self.assertAlmostEqual(distances_of(distance)[-1], 60.0 * np.sqrt(2.0), delta=1e-10)
-        self.assertEqual(distance.GetProgress(), 1.0)
-
-
 class Objects(unittest.TestCase):
     def test_the_input_may_be_released(self):
         distance = made(vtkdgg.vtkExactGeodesicDistance, SourceIds=[0])
@@ -198,20 +158,6 @@ class Objects(unittest.TestCase):
         gc.collect()
         for view, values in zip(views, kept):
             np.testing.assert_array_equal(view, values)
-
-    def test_texts(self):
-        graph = made(vtkdgg.vtkDiscreteGeodesicGraph, Construction=1)
-        self.assertEqual(graph.GetConstructionAsString(), "OneRelay")
-        distance = made(vtkdgg.vtkExactGeodesicDistance, SourceIds=[0])
-        self.assertEqual(distance.GetMeshReport(), "no surface\n")
-        vtkdgg.check(distance)
-        self.assertIn("triangles: 32\n", distance.GetMeshReport())
-        table = distance.GetMeshReportTable()
-        self.assertEqual(table.GetNumberOfRows(), 1)
-        self.assertEqual(table.GetColumnByName("Orientable").GetValue(0), 1)
-        self.assertEqual(table.GetColumnByName("NumberOfTriangles").GetValue(0), 32)
-        for word in ("Accuracy: 0.01", "OneRelay", "NumberOfGraphEdges: 0"):
-            self.assertIn(word, str(graph))
 
     def test_files(self):
         """Readers take paths, and work again after an error."""

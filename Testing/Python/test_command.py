@@ -62,6 +62,7 @@ MISTAKES = (
     ("distance MESH", "--source"),
     ("distance MESH --source 642", "--source 642: expected a point id from 0 to 641"),
     ("distance MESH --source 1,2", "expected a point id, X,Y,Z or face:"),
+    ("distance MESH --source nan,0,0", "expected a point id, X,Y,Z or face:"),
     ("distance MESH --source face:5:0.5,0.5", "face:5:0.5,0.5: expected a point"),
     ("distance MESH --source face:9999:1,0,0", "--source face:9999:1,0,0: .* there are 1280 cells"),
     ("distance MESH --source 9,9,9", "or raise --tolerance"),

@@ -168,21 +168,12 @@ class Demo(unittest.TestCase):
         np.testing.assert_allclose(arrays["ExactDistance"][7], np.sqrt(5.0), rtol=1e-12)
 
     def test_mistakes(self):
-        folder = support.output_folder("formats")
-        text, garbage = (os.path.join(folder, name) for name in ("empty.off", "garbage.off"))
-        for path, content in ((text, "0 0 0\n"), (garbage, "3 1 0\n0 0 0\nx y z\n")):
-            with open(path, "w", encoding="ascii") as file:
-                file.write("OFF\n" + content)
         check_mistakes(
             self,
-            ((text,), "contains no points|empty"),
-            ((garbage,), "line"),
+            (("missing.off",), "missing.off: no such file"),
             ((TETRAHEDRON, "--source", "4"), "point id from 0 to 3"),
-            ((TETRAHEDRON, "--source", "nan,0,0"), "expected a point id, X,Y,Z or face:"),
             ((TETRAHEDRON, "--source", "1,1,1", "--tolerance", "-1"), "--tolerance: expected"),
-            ((TETRAHEDRON, "--accuracy", "0"), "1e-0?6"),
-            ((TETRAHEDRON, "--accuracy", "0.6"), "0.5"),
-            ((TETRAHEDRON, "--accuracy", "nan"), "0.5"),
+            ((TETRAHEDRON, "--accuracy", "0.6"), "--accuracy: expected .* got 0.6"),
         )
 
 

@@ -115,13 +115,6 @@ class Distance(support.Test):
         path = vtkdgg.path(points, triangles, 0, 11, **merged)
         np.testing.assert_allclose([distances[11], path.length], np.sqrt(10.0), atol=1e-6)
 
-    def test_warnings_name_the_caller(self):
-        # Three triangles on one edge.
-        points = np.vstack([np.zeros(3), np.eye(3), [[0.0, -1.0, 0.0]]])
-        with self.assertWarnsRegex(RuntimeWarning, "more than two triangles") as caught:
-            vtkdgg.distance(points, [[0, 1, 2], [0, 1, 3], [0, 1, 4]], 2)
-        self.assertEqual(caught.filename, __file__)
-
     def test_empty_mesh(self):
         for points, triangles in (([], []), (np.empty((0, 3)), np.empty((0, 3), dtype=int))):
             for mesh in ((points, triangles), ((points, triangles),)):

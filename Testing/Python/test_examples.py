@@ -232,7 +232,6 @@ MISTAKES = {
         ((), "Usage"),
         (("missing.ply", 0, 1, "x.png"), "missing.ply"),
         ((BUMPY, 0, 642, "x.png"), "642"),
-        ((BUMPY, 0, 10**30, "x.png"), "out of range"),
     ),
     "greens_function.py": tuple((("--level", level), level) for level in ("0", "7", "many")),
     "isolines.py": (
@@ -240,10 +239,8 @@ MISTAKES = {
         (("x.png", "--mesh", "missing.ply"), "missing.ply"),
         (("x.png", "--mesh", BUMPY, "--sources", "-1"), "-1"),
         (("x.png", "--mesh", BUMPY, "--sources", "642"), "642"),
-        (("x.png", "--mesh", BUMPY, "--sources", "9" * 30), "out of range"),
         (("x.png", "--count", "-1"), "from 1 to 10000"),
         (("x.png", "--count", "0"), "from 1 to 10000"),
-        (("x.png", "--count", "many"), "'many' is not an integer"),
         ((*VIEW, "1,2"), "X,Y,Z"),
         ((*VIEW, "1,2,nan"), "not finite"),
     ),
@@ -251,7 +248,6 @@ MISTAKES = {
         ((), "picture"),
         (("x.png", "--mesh", "missing.ply"), "missing.ply"),
         (("x.png", "--rope", "1,2"), "--rope"),
-        ((*VIEW, "0,inf,1"), "not finite"),
         (("x.png", "--rope", "1,0,0 1,0.3,0"), "three different points"),
         (("x.png", "--width", "-1"), "TapeWidth"),
     ),
@@ -266,19 +262,16 @@ MISTAKES = {
     "vector_graphics_bunny.py": (
         (("x.png", BUMPY), "this is no bunny"),
         (("x.png", "missing.obj"), "no such file"),
-        (("--level", "many"), "'many' is not an integer"),
     ),
     "voronoi_cells.py": (
         ((), "Usage"),
         (("missing.ply", 5, "x.png"), "missing.ply"),
         ((BUMPY, 0, "x.png"), "at least 1"),
-        ((BUMPY, "a", "b"), "not an integer"),
     ),
     "cloud_cells.py": (
         ((), "Usage"),
         (("missing.pcd", 5, "x.png"), "missing.pcd: no such file"),
         ((BUMPY, 0, "x.png"), "at least 1"),
-        ((BUMPY, "a", "x.png"), "not an integer"),
     ),
 }
 

@@ -76,9 +76,6 @@ class Meshes(support.Test):
                 self.assertAlmostEqual(vtkdgg.path(mesh, 0, end=18).length, STRAIGHT[18], 5)
                 graph = vtkdgg.Graph(mesh, accuracy=0.1)
                 self.assertAlmostEqual(graph.path(start=0, end=18).length, STRAIGHT[18], 5)
-                self.assertEqual(vtkdgg.greens_function(mesh, [0, 3]).shape, (20, 2))
-                self.assertEqual(vtkdgg.interpolate(mesh, [0, 3], [1.0, 2.0]).shape, (20,))
-                self.assertAlmostEqual(vtkdgg.earth_movers(mesh, 0, 4).lower_bound, 4.0, delta=0.5)
 
     def test_cells(self):
         rows = QUADS[:6].tolist() + REST.tolist()

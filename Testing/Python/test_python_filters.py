@@ -2,11 +2,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Compiled and Python filters: the same pipelines give the same outputs, errors and times."""
 
-import math
 import unittest
 
 import numpy as np
+import support
 import vtkdgg
+from support import HAS_CLOUDS
+from test_kernel import torus
 from vtkdgg import pipeline, python_filters
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import (
@@ -26,7 +28,6 @@ from vtkmodules.vtkCommonDataModel import (
 
 HAS_COMPILED = vtkdgg.vtkDGGDistance is not python_filters.vtkDGGDistance
 needs_compiled = unittest.skipUnless(HAS_COMPILED, "there are no compiled classes")
-HAS_CLOUDS = hasattr(vtkdgg._kernel, "cloud_graph")
 ATTRIBUTES = range(vtkDataSetAttributes.NUM_ATTRIBUTES)
 
 
@@ -86,30 +87,9 @@ def polydata(points, lines=(), polygons=()):
     return result
 
 
-def torus(around=24, across=12):
-    u, v = np.meshgrid(*(np.arange(n) * 2 * np.pi / n for n in (around, across)), indexing="ij")
-    radius = 3 + np.cos(v)
-    points = np.stack([radius * np.cos(u), radius * np.sin(u), np.sin(v)], axis=-1)
-    i, j = np.meshgrid(range(around), range(across), indexing="ij")
-    a, b, c, d = (
-        ((i + di) % around * across + (j + dj) % across).ravel()
-        for di, dj in ((0, 0), (1, 0), (1, 1), (0, 1))
-    )
-    triangles = np.vstack([np.column_stack([a, b, c]), np.column_stack([a, c, d])])
-    return points.reshape(-1, 3), triangles
-
-
-def sphere(count):
-    """Returns points that are spread over a sphere."""
-    i = np.arange(count) + 0.5
-    z, angle = 1 - 2 * i / count, i * np.pi * (3 - math.sqrt(5))
-    radius = np.sqrt(1 - z * z)
-    return np.column_stack([radius * np.cos(angle), radius * np.sin(angle), z])
-
-
 POINTS, TRIANGLES = torus()
 MESH = decorate(polydata(POINTS.astype("f4"), [[0, 5, 9]], TRIANGLES), 1)
-CLOUD = decorate(polydata(sphere(800)), 2)
+CLOUD = decorate(polydata(support.sphere_points(800)), 2)
 PLACES = decorate(polydata(POINTS[[7, 60, 130, 200]] * 1.001), 3)
 add(PLACES.GetPointData(), "InitialDistance", [0.0, 0.1, 0.2, 0.0])
 add(PLACES.GetPointData(), "Mass", [1, 2, 3, 4])

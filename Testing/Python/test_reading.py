@@ -456,18 +456,6 @@ class Meshes(support.Test):
             [part.tolist() for part in mesh.polygons], [[0, 4, 7], cells[0] + cells[1]]
         )
 
-    def test_without_vtk(self):
-        code = (
-            "import sys, types\n"
-            "sys.modules['vtkmodules'] = None\n"
-            "package = sys.modules['vtkdgg'] = types.ModuleType('vtkdgg')\n"
-            "package.__path__ = [sys.argv[1]]\n"
-            "from vtkdgg.mesh import Mesh\n"
-            "print(Mesh([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]]).triangles.tolist())\n"
-        )
-        found = support.python(code, os.path.dirname(vtkdgg.__file__))
-        self.assertEqual((found.stdout, found.stderr), ("[[0, 1, 2]]\n", ""))
-
     def test_wrong_arrays(self):
         points, triangles = support.grid(1, 1)
         self.refuse(

@@ -196,14 +196,6 @@ class Interrupted(unittest.TestCase):
         found = support.distances_of(distance)
         np.testing.assert_array_equal(found, vtkdgg.distance(SURFACE, 5))
 
-    def test_graph(self):
-        self.interrupt(lambda: vtkdgg.Graph(POINTS, TRIANGLES, accuracy=0.005), 0.3)
-        graph = vtkdgg.Graph(*terrain(100), accuracy=0.05)
-        expected = graph.matrix(np.arange(0, 10201, 3))
-        with support.warnings_as("ignore"):
-            self.interrupt(lambda: graph.matrix(np.arange(0, 10201, 3)), 0.1)
-        np.testing.assert_array_equal(graph.matrix(np.arange(0, 10201, 3)), expected)
-
     def test_any_handler(self):
         """Handlers of the user are called, and their exceptions are raised."""
 
