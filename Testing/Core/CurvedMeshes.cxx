@@ -201,6 +201,35 @@ TestMesh DrilledBar(std::uint64_t seed)
   return mesh;
 }
 
+TestMesh Shaft(Id sides)
+{
+  TestMesh mesh;
+  for (const auto& [radius, height] :
+    { std::pair(5.0, 0.0), std::pair(0.5, 0.2), std::pair(0.5, 2.0) })
+  {
+    for (Id i = 0; i < sides; ++i)
+    {
+      const double angle = 2.0 * dgg::Pi * i / sides;
+      mesh.AddPoint(radius * std::cos(angle), radius * std::sin(angle), height);
+    }
+  }
+  for (Id i = 0; i < sides; ++i)
+  {
+    const Id next = (i + 1) % sides;
+    for (const Id ring : { Id(0), sides })
+    {
+      mesh.AddTriangle(ring + i, ring + next, ring + sides + next);
+      mesh.AddTriangle(ring + i, ring + sides + next, ring + sides + i);
+    }
+    if (i > 0 && next > 0)
+    {
+      mesh.AddTriangle(0, next, i);
+      mesh.AddTriangle(2 * sides, 2 * sides + i, 2 * sides + next);
+    }
+  }
+  return mesh;
+}
+
 TestMesh SeveralComponents()
 {
   TestMesh mesh = Icosphere(1);

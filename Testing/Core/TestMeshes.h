@@ -282,6 +282,10 @@ TestMesh TwoHoledBlock();
 /// long and thin faces and no points inside its sides.
 TestMesh DrilledBar(std::uint64_t seed);
 
+/// Returns a flat cone with a shaft on its tip, as in CAD models: closed by discs, of triangles as
+/// long as its parts.
+TestMesh Shaft(Id sides);
+
 /// Returns three surfaces side by side: sphere, torus, plane.
 TestMesh SeveralComponents();
 

@@ -68,36 +68,6 @@ void ExpectNear(const std::vector<double>& actual, const std::vector<double>& ex
   }
 }
 
-/// A flat cone with a shaft on its tip, closed by discs, of triangles as long as its parts.
-TestMesh Shaft(Id sides)
-{
-  TestMesh mesh;
-  for (const auto& [radius, height] :
-    { std::pair(5.0, 0.0), std::pair(0.5, 0.2), std::pair(0.5, 2.0) })
-  {
-    for (Id i = 0; i < sides; ++i)
-    {
-      const double angle = 2.0 * dgg::Pi * i / sides;
-      mesh.AddPoint(radius * std::cos(angle), radius * std::sin(angle), height);
-    }
-  }
-  for (Id i = 0; i < sides; ++i)
-  {
-    const Id next = (i + 1) % sides;
-    for (const Id ring : { Id(0), sides })
-    {
-      mesh.AddTriangle(ring + i, ring + next, ring + sides + next);
-      mesh.AddTriangle(ring + i, ring + sides + next, ring + sides + i);
-    }
-    if (i > 0 && next > 0)
-    {
-      mesh.AddTriangle(0, next, i);
-      mesh.AddTriangle(2 * sides, 2 * sides + i, 2 * sides + next);
-    }
-  }
-  return mesh;
-}
-
 void ExpectSameBits(const dgg::PropagationResult& a, const dgg::PropagationResult& b)
 {
   EXPECT_EQ(a.Distances, b.Distances);

@@ -6,6 +6,7 @@
 #include "FilterTestTools.h"
 #include "GraphTestTools.h"
 #include "SpectralTestTools.h"
+#include "TestMeshes.h"
 
 #include "vtkDGGFastMarchingDistance.h"
 #include "vtkExactGeodesicDistance.h"
@@ -13,6 +14,13 @@
 #include "vtkVirtualSourceGeodesicDistance.h"
 
 #include "dggStatus.h"
+
+#include "vtkMath.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
 
 using namespace dggtest;
 
@@ -118,6 +126,33 @@ TEST(VirtualSourceGeodesicDistance, Quality)
   ExpectSuccess(filter);
   EXPECT_GT(GetReported(filter, "MedianAnisotropy"), 3.0);
   EXPECT_EQ(GetDistances(filter), best);
+}
+
+TEST(VirtualSourceGeodesicDistance, NotShorterThanTheStraightLine)
+{
+  auto shaft = MakeSurface(Shaft(100));
+  for (const std::vector<vtkIdType>& sources :
+    { std::vector<vtkIdType>{ 250 }, std::vector<vtkIdType>{ 250, 30 } })
+  {
+    vtkNew<vtkVirtualSourceGeodesicDistance> filter;
+    filter->SetInputData(shaft);
+    filter->SetSourceIds(sources);
+    filter->SetGenerateNearestSource(sources.size() > 1);
+    ExpectWarning(filter, { "long triangles" });
+    const auto distances = GetDistances(filter);
+    for (vtkIdType i = 0; i < shaft->GetNumberOfPoints(); ++i)
+    {
+      double straight = std::numeric_limits<double>::infinity();
+      for (const vtkIdType source : sources)
+      {
+        const double* p = shaft->GetPoint(source);
+        const std::array<double, 3> place{ { p[0], p[1], p[2] } };
+        straight = std::min(
+          straight, std::sqrt(vtkMath::Distance2BetweenPoints(place.data(), shaft->GetPoint(i))));
+      }
+      EXPECT_GE(distances[i], (1.0 - 1e-12) * straight) << i;
+    }
+  }
 }
 
 /// The initial distances differ by more than single precision can represent.

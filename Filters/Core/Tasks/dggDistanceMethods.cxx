@@ -10,10 +10,14 @@
 #include "dggMeshQuality.h"
 #include "dggProgressPart.h"
 #include "dggSourceFinding.h"
+#include "dggSurfacePath.h"
 #include "dggTaskContext.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <utility>
+#include <vector>
 
 namespace dgg
 {
@@ -30,6 +34,8 @@ constexpr double BandBuiltAt = 0.4;
 constexpr double LeastRadius = 0.5;
 constexpr double LargestRadius = 1000.0;
 ///@}
+
+constexpr Offset VerticesPerBlock = 4096;
 
 /// Moves distances and their sources to a task.
 template <typename Result>
@@ -60,6 +66,54 @@ std::string DescribeHeatQuality(const PreparedSurface& surface, double factor, I
       ? JoinText("{TimeStepFactor} is ", factor, ", outside of ", SmallestUsefulFactor, " to ",
           LargestUsefulFactor, ", where mean errors are below 10 %. Use a number around 1")
       : "" });
+}
+
+/// Raises distances below the straight line in space to the nearest source, which is known if there
+/// is one source or nearest sources are wanted. Farther vertices than the maximum distance stay
+/// reached.
+void KeepAboveStraightLine(const TaskContext& context, const std::vector<GeodesicSource>& sources,
+  double maximum, PropagationResult& result)
+{
+  if (sources.size() != 1 && result.NearestSource.empty())
+  {
+    return;
+  }
+  const SurfaceMesh& mesh = context.Surface.GetMeshWithoutAngles();
+  const double unit = mesh.GetMeanEdgeLength(); // squares of coordinates may overflow
+  const double* positions = context.Surface.GetPositions();
+  std::vector<std::array<double, 3>> places;
+  places.reserve(sources.size());
+  for (const GeodesicSource& source : sources)
+  {
+    places.push_back(PositionOf(mesh, source.Point, positions));
+  }
+  const auto size = static_cast<Offset>(result.Distances.size());
+  ForRange(context.Parallel, size, VerticesPerBlock, [&](Offset begin, Offset end) {
+    for (Offset v = begin; v < end; ++v)
+    {
+      if (!(result.Distances[v] < maximum))
+      {
+        continue;
+      }
+      const Id root = result.NearestSource.empty() ? 0 : result.NearestSource[v];
+      const double* p = positions + 3 * v;
+      const std::array<double, 3>& q = places[root];
+      const double x = (p[0] - q[0]) / unit;
+      const double y = (p[1] - q[1]) / unit;
+      const double z = (p[2] - q[2]) / unit;
+      const double straight =
+        sources[root].InitialDistance + unit * std::sqrt(x * x + y * y + z * z);
+      const double raise = std::min(straight, maximum) - result.Distances[v];
+      if (raise > 0.0)
+      {
+        result.Distances[v] += raise;
+        if (!result.Virtual.empty())
+        {
+          result.Virtual[v].Offset += raise;
+        }
+      }
+    }
+  });
 }
 }
 
@@ -101,6 +155,7 @@ Status FindPropagatedDistances(const TaskContext& context, PropagationSession& s
   options.WantVirtualSource = task.WantVirtualSource;
   PropagationResult result;
   DGG_RETURN_IF_ERROR(session.Run(context, task.Sources, options, result));
+  KeepAboveStraightLine(context, task.Sources, options.MaximumDistance, result);
   task.QualityWarning = JoinReasons({ DescribeLongTriangles(context.Surface, LongTrianglesMislead),
     result.IsSettled ? "" : UnsettledDistances });
   TakeAllResults(result, task);
