@@ -25,18 +25,6 @@ namespace
 {
 /// Progress weight of building the graph if lines are generated as well.
 constexpr double BuildShare = 0.9;
-
-/// Returns true if the graph has the parameters of the options.
-bool IsMadeBy(const dgg::GraphInfo& info, const dgg::GraphOptions& options)
-{
-  if (info.Construction != options.Construction)
-  {
-    return false;
-  }
-  return options.Construction == dgg::GraphConstruction::SaddleVertexGraph
-    ? info.NumberOfNeighbors == options.NumberOfNeighbors
-    : info.Accuracy == options.Accuracy;
-}
 }
 
 //------------------------------------------------------------------------------
@@ -275,9 +263,9 @@ bool vtkDiscreteGeodesicGraph::vtkInternals::FindOnInput(const DGGContext& conte
   this->InputGraphDamage = graph.GetDamage();
   if (!complaint.empty())
   {
-    this->Warn(complaint + ". A new graph replaces it");
+    this->Warn(dgg::DescribeReplacement(complaint, this->MakeOptions()));
   }
-  return found && IsMadeBy(graph.GetView().Info, this->MakeOptions());
+  return found && dgg::IsBuiltWith(graph.GetView().Info, this->MakeOptions());
 }
 
 //------------------------------------------------------------------------------
@@ -287,7 +275,7 @@ dgg::Status vtkDiscreteGeodesicGraph::vtkInternals::Build(const DGGContext& cont
   dgg::GraphOptions options = this->MakeOptions();
   const dgg::GraphInfo& built = this->Built.GetView().Info;
   const bool isKept = this->Built.IsValid() && built.Surface == mesh.GetSignature() &&
-    this->BuiltDomain == mesh.GetDomain() && IsMadeBy(built, options);
+    this->BuiltDomain == mesh.GetDomain() && dgg::IsBuiltWith(built, options);
   if (isKept)
   {
     return dgg::Status::Success();

@@ -176,7 +176,9 @@ TEST(StoredGraph, RefusesDamagedInfo)
   refuse(1, 7, "its kind is 7", true);
   refuse(2, 4, "its construction is 4", true);
   refuse(2, -1, "its construction is -1", true);
+  refuse(3, -1, "its accuracy is ", true);
   refuse(4, 1, "its checksum is wrong", true);
+  refuse(9, -1, "its merge tolerance is ", true);
   refuse(11, 0, "its checksum is wrong", true);
 }
 

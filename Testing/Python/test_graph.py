@@ -219,7 +219,7 @@ class GraphOnTheMesh(support.Test):
         self.assertFalse(vtkdgg.CloudGraph(cloud, scheme="B").used_input_graph)
         moved = support.copy_of(built.polydata)
         moved.GetPoints().SetPoint(0, 0.0, 0.0, 1.5)
-        with self.assertWarnsRegex(RuntimeWarning, "belongs to other points") as caught:
+        with self.assertWarnsRegex(RuntimeWarning, "points have changed") as caught:
             graph = vtkdgg.CloudGraph.from_polydata(moved)
         self.assertEqual(caught.filename, __file__)
         found = graph.construction, graph.accuracy, graph.used_input_graph

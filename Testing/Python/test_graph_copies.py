@@ -108,21 +108,29 @@ class FromPolydata(support.Test):
         np.testing.assert_allclose(graph.distance(11), 2.0 * self.expected, rtol=1e-6)
 
     def test_damaged(self):
-        """Damage is an error, and a warning of functions that can build another graph."""
+        """Damage is a warning: another graph is built. Without parameters, it is an error."""
 
         def put(name, slot, value):
             return lambda fields: fields.GetArray(name).SetValue(slot, value)
 
-        damaged, other = "graph on the mesh is damaged: .*", "DGG.Info of another version, or is d"
+        damaged = "graph on the mesh is damaged: .*"
         for damage, pattern in (
-            (put("DGG.Lengths", 100, 0.5), damaged + "checksum is wrong.*A text file that rounds"),
-            (put("DGG.Targets", 100, -1), damaged + "leads to vertex -1"),
-            (lambda fields: fields.RemoveArray("DGG.Angles"), damaged + "DGG.Angles is missing"),
+            (put("DGG.Lengths", 100, 0.5), "checksum is wrong.*A text file that rounds"),
+            (put("DGG.Targets", 100, -1), "leads to vertex -1"),
+            (lambda fields: fields.RemoveArray("DGG.Angles"), "DGG.Angles is missing"),
+        ):
+            mesh = support.copy_of(self.mesh)
+            damage(mesh.GetFieldData())
+            with self.assertWarnsRegex(RuntimeWarning, damaged + pattern):
+                graph = vtkdgg.Graph.from_polydata(mesh)
+            self.assertFalse(graph.used_input_graph)
+            self.check_equal(graph)
+        for damage, pattern in (
             (put("DGG.Info", 1, 2), damaged + "its kind is 2"),
             (put("DGG.Info", 2, 4), damaged + "its construction is 4"),
             (put("DGG.Info", 3, -1), damaged + "its accuracy is"),
-            (put("DGG.Info", 0, 2), other),
-            (lambda fields: fields.GetArray("DGG.Info").SetNumberOfTuples(3), other),
+            (put("DGG.Info", 0, 2), "graph on the mesh has the format version 2"),
+            (lambda fields: fields.GetArray("DGG.Info").SetNumberOfTuples(3), "has 3 values"),
         ):
             mesh = support.copy_of(self.mesh)
             damage(mesh.GetFieldData())

@@ -357,7 +357,25 @@ class Calls(unittest.TestCase):
         lines = GRAPH.lines()
         self.assertEqual(2 * len(lines.cell_data["Length"]), GRAPH.number_of_edges)
         self.assertGreater(kernel.Graph.estimate(SURFACE).edges, 0)
+        info = kernel.graph_info(arrays)
+        self.assertEqual((info.construction, info.accuracy, info.is_guaranteed),
+                         ("Guaranteed", 0.01, True))  # fmt: skip
+        for options, is_stored, pattern in (
+            ({}, True, "^$"),
+            ({"accuracy": 0.1}, True, "^$"),
+            ({"accuracy": 0.001}, True, "has the accuracy 0.01, but `accuracy` is 0.001"),
+            ({"accuracy": 0.001, "accept_coarser_graph": True}, True, "^$"),
+            ({"accuracy": 0.1, "must_match": True}, False, "^$"),
+            ({"accuracy": 0.01, "must_match": True}, True, "^$"),
+        ):
+            graph = kernel.Graph(SURFACE, stored=arrays, **options)
+            self.assertEqual(graph.is_stored, is_stored)
+            self.assertRegex("".join(graph.warnings), pattern)
+        graph = kernel.Graph(TORUS, stored=arrays)
+        self.assertFalse(graph.is_stored or graph.damage)
+        self.assertRegex(graph.warnings[0], "out of date|does not fit")
         arrays["DGG.Targets"] = np.flip(arrays["DGG.Targets"])
+        self.assertIn("DGG.Targets", kernel.Graph(SURFACE, stored=arrays).damage)
         for surface, given, code in (
             (SURFACE, arrays, "DamagedGraph"),
             (TORUS, GRAPH.arrays, "InvalidInput"),

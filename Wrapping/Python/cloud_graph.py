@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING, Any, Optional
 
 from . import _kernel, arguments, meshes
 from .errors import Error, call, warn
-from .graph_info import CONSTRUCTIONS, SCHEMES, GraphInfo, arrays_of
+from .graph_data import require_graph
+from .graph_info import SCHEMES, arrays_of, find_info
 from .queries import Queries
 
 if TYPE_CHECKING:
@@ -87,15 +88,17 @@ class CloudGraph(Queries):
         if accuracy is not None:
             options["accuracy"] = arguments.number(accuracy, "accuracy")
         is_default = normals is None and scheme is None and accuracy is None
-        info = None if any(options.values()) or not is_default else GraphInfo.find(cloud.field_data)
+        info = None if any(options.values()) or not is_default else find_info(cloud.field_data)
         issued = set()
         prepared = cloud.prepared(is_cloud=True, issued=issued)
         if info is not None and info.is_cloud:
-            graph = _stored(cloud, prepared, issued)
-            if graph is not None:
+            try:
+                graph = call(_kernel.Graph.from_arrays, prepared, arrays_of(cloud.field_data))
                 self._take(cloud.copy(), graph, limit, True, issued)
                 return
-            scheme, options["accuracy"] = CONSTRUCTIONS[info.construction], info.accuracy
+            except Error as error:
+                warn([f"{error} Another one is built."], issued)
+            scheme, options["accuracy"] = info.construction, info.accuracy
         if normals is not None:
             normals = arguments.coordinates(normals, "normals")
             if len(normals) != count:
@@ -104,7 +107,7 @@ class CloudGraph(Queries):
         built = call(
             _kernel.cloud_graph,
             prepared,
-            scheme=_KERNEL_SCHEMES[scheme or "C"],
+            scheme=scheme,
             normals=cloud.normals if normals is None else normals,
             memory_limit=limit,
             issued=issued,
@@ -135,10 +138,7 @@ class CloudGraph(Queries):
         ValueError
             When there are no points, no graph, or that of a mesh.
         """
-        if not meshes.is_vtk(polydata, "vtkPolyData"):
-            raise TypeError(f"polydata: expected a vtkPolyData, got {type(polydata).__name__}")
-        if not GraphInfo(meshes.cloud_of(polydata).field_data).is_cloud:
-            raise ValueError("polydata: its graph is that of a mesh: see vtkdgg.Graph")
+        require_graph(polydata, True)
         return cls(polydata, memory_limit=memory_limit)
 
     @property
@@ -157,24 +157,3 @@ def require_clouds():
     """Raises an error if vtkDGG was built without graphs of point clouds."""
     if not hasattr(_kernel, "cloud_graph"):
         raise ValueError("this vtkDGG has no graphs of point clouds: build it with DGG_WITH_PCL")
-
-
-# Names of the schemes in the kernel.
-_KERNEL_SCHEMES = {"A": "Curvature", "B": "Constant", "C": "Spacing"}
-
-
-def _stored(cloud, prepared, issued):
-    """Returns the graph on the cloud; None, with a warning, if it belongs to other points."""
-    try:
-        return call(_kernel.Graph.from_arrays, prepared, arrays_of(cloud.field_data))
-    except Error as error:
-        if error.reason == "OutOfMemory":
-            raise
-        warn(
-            [
-                "points: the graph on the cloud belongs to other points or is damaged; another "
-                "one is built"
-            ],
-            issued,
-        )
-        return None

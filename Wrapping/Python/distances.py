@@ -10,7 +10,7 @@ import numpy as np
 
 from . import _kernel, arguments, meshes
 from .errors import call
-from .graph_info import choose_method, find_or_build, merging
+from .graph_info import arrays_of, choose_method, merging
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
@@ -139,7 +139,8 @@ def distance(
     target = surface.prepared(*how, has_cloud or (method == "marching" and not surface.has_polygons))
     if method == "graph":
         accuracy = None if accuracy is None else arguments.accuracy(accuracy)
-        target = find_or_build(surface, target, accuracy)
+        stored = arrays_of(surface.field_data)
+        target = call(_kernel.Graph, target, stored=stored, accuracy=accuracy)
     options["generate_nearest_source"] = bool(return_source)
     result = call(METHODS[method], target, sources.in_kernel(), **options)
     return surface.polydata(result) if as_polydata else field_of(result, return_source)

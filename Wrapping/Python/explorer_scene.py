@@ -18,7 +18,7 @@ from .commands.sizes import floor_of
 from .distances import METHODS as FUNCTIONS
 from .errors import Error, call
 from .graph import Graph, find_isolines
-from .graph_info import GraphInfo
+from .graph_info import find_info
 from .pictures import nice_step
 from .vtk_data import (
     add_array,
@@ -79,7 +79,7 @@ class Scene:
 
     def __init__(self, surface, is_cloud=False, accuracy=None, merge=False):
         surface = meshes.cloud_of(surface) if is_cloud else meshes.take(surface)[0]
-        info = GraphInfo.find(surface.field_data) if accuracy is None and not is_cloud else None
+        info = find_info(surface.field_data) if accuracy is None and not is_cloud else None
         surface = surface.polydata()
         if surface.GetNumberOfPoints() == 0:
             raise ValueError("there are no points to explore")
@@ -98,7 +98,7 @@ class Scene:
         self.method = "graph"
         self.message = ""
         tolerance = info.merge_tolerance if info is not None else 0.0
-        self._merging = merge or bool(info and info.is_merged), tolerance
+        self._merging = merge or bool(info and info.merge_coincident_points), tolerance
         self._graph = None
         self._fastest = {}
         self._issued = set()

@@ -15,7 +15,7 @@ from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
 from . import _kernel as kernel
 from .python_filters import TimeStamps, integers_of, property_of
 from .vtk_data import cells_of, shallow_copy
-from .vtk_input import graph_arrays, ids_of, numbers, read_only, surface_points, windows_of
+from .vtk_input import graph_arrays, ids_of, numbers, surface_points, windows_of
 from .vtk_output import (
     GRAPH_ARRAYS,
     add_result,
@@ -529,18 +529,18 @@ class _BuildsGraph:
             MemorySize=graph.memory_size, GraphBuildTime=self._build_time.GetMTime(),
         )  # fmt: skip
 
-    def keep(self, graph, **others):
-        """Keeps a new graph with its arrays, which filters downstream recognize."""
-        self._build_time.Modified()
-        found = graph.arrays
-        arrays = [vtk_array(found[name], name) for name in GRAPH_ARRAYS if name in found]
-        self._graph = SimpleNamespace(graph=graph, arrays=arrays, surface=self.surface, **others)
-
     def with_graph(self, polydata):
-        """Returns a shallow copy with the arrays of the graph that is kept."""
+        """Returns a shallow copy with the arrays of the graph that is kept, which filters
+        downstream recognize."""
+        kept = self._graph
         output = shallow_copy(polydata)
+        if kept.graph.is_stored:
+            return output
+        if not hasattr(kept, "arrays"):
+            found = kept.graph.arrays
+            kept.arrays = [vtk_array(found[name], name) for name in GRAPH_ARRAYS if name in found]
         remove_graph(output)
-        for array in self._graph.arrays:
+        for array in kept.arrays:
             output.GetFieldData().AddArray(array)
         return output
 
@@ -576,15 +576,10 @@ class vtkDiscreteGeodesicGraph(_BuildsGraph):
 
     def run(self, polydata):
         arguments = self.arguments("GenerateGraphLines")
-        graph = given = self._on_input(polydata)
-        made = [arguments[name] for name in ("accuracy", "construction", "number_of_neighbors")]
-        kept = self._graph
-        if given or not (kept and kept.made == made and kept.surface is self.surface):
-            self._graph = None  # released before another is built
-        if not given:
-            if not self._graph:
-                self.keep(kernel.Graph(self.surface, **arguments), made=made)
-            graph = self._graph.graph
+        names = ("accuracy", "construction", "number_of_neighbors")
+        options = {name: arguments[name] for name in names}
+        graph = self.find_or_build(graph_arrays(polydata), must_match=True, **options).graph
+        self.set_results(InputGraphDamage=graph.damage)
         lines = vtkPolyData()
         if self.get("GenerateGraphLines"):
             found = graph.lines(progress=self.advance, memory_limit=self.get("MemoryLimit"))
@@ -592,27 +587,7 @@ class vtkDiscreteGeodesicGraph(_BuildsGraph):
             lines.SetLines(cells_of(*found.cells["lines"]))
             add_result(found, lines)
         self.describe(graph, polydata.GetNumberOfPoints())
-        return [shallow_copy(polydata) if given else self.with_graph(polydata), lines]
-
-    def _on_input(self, polydata):
-        """Returns the graph on the input if it has the same options."""
-        arrays = graph_arrays(polydata)
-        if not arrays:
-            return None
-        try:
-            graph = kernel.Graph.from_arrays(self.surface, read_only(arrays))
-        except kernel.Error as error:
-            if error.code == "DamagedGraph":
-                self.set_results(InputGraphDamage=error.problem)
-            self.warn(f"{error.problem}. A new graph replaces it")
-            return None
-        wanted = self.arguments()
-        is_same = graph.construction == wanted["construction"] and (
-            graph.number_of_neighbors == wanted["number_of_neighbors"]
-            if graph.construction == "SaddleVertexGraph"
-            else graph.accuracy == wanted["accuracy"]
-        )
-        return graph if is_same else None
+        return [self.with_graph(polydata), lines]
 
 
 @task
@@ -641,17 +616,18 @@ class vtkPointCloudDGG(_BuildsGraph):
         normals = polydata.GetPointData().GetNormals() if self.get("UseInputNormals") else None
         others = ("UseInputNormals", "EstimateNormals", "GenerateVertices", "NumberOfNeighbors")
         arguments = self.arguments("ComponentArrayName", *others)
-        schemes = {"A": "Curvature", "B": "Constant", "C": "Spacing"}
-        arguments["scheme"] = schemes[arguments["scheme"]]
-        made = (
+        key = (
             {k: v for k, v in arguments.items() if k not in ("progress", "memory_limit")},
             TimeStamps([] if normals is None else [normals]),
         )
         kept = self._graph
-        if not (kept and kept.made == made and kept.surface is self.surface):
+        if not (kept and kept.key == key and kept.surface is self.surface):
             self._graph = None  # released before another is built
             found = kernel.cloud_graph(self.surface, normals=values_of(normals), **arguments)
-            self.keep(found.graph, made=made, found=found)
+            self._build_time.Modified()
+            self._graph = SimpleNamespace(
+                key=key, graph=found.graph, surface=self.surface, found=found
+            )
             self.warn_about([found])
         found = self._graph.found
         self.describe(found.graph, polydata.GetNumberOfPoints())

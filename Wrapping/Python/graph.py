@@ -9,8 +9,9 @@ from typing import TYPE_CHECKING, Any, List, Optional, Union
 import numpy as np
 
 from . import _kernel, arguments, meshes
-from .errors import Error, call, warn
-from .graph_info import MESH_CONSTRUCTIONS, GraphInfo, arrays_of, damaged, merging
+from .errors import call
+from .graph_data import require_graph
+from .graph_info import MESH_CONSTRUCTIONS, arrays_of, find_info, merging
 from .queries import Queries
 from .results import Isoline, Loop, lines_of
 
@@ -38,8 +39,8 @@ class Graph(Queries):
     ----------
     points, triangles : array_like, shapes (n, 3) and (m, 3), or one mesh
         As for `distance`; at least one point. A graph on the mesh is used, without a copy, unless
-        the next three arguments ask for another graph. If it belongs to other points or cells, a
-        graph with the same parameters is built, with a warning.
+        the next three arguments ask for another graph. If it belongs to other points or cells, or
+        is damaged, a graph with the same parameters is built, with a warning.
     accuracy : float, optional
         Largest relative error of a distance, in [1e-6, 0.5]. The mean error is far smaller.
         Default: that of the graph on the mesh, otherwise 0.01.
@@ -64,8 +65,7 @@ class Graph(Queries):
     ValueError
         When an array has the wrong shape or type, a number is not finite, or an id does not exist;
         when an accuracy is out of range; when another argument is not of the type above
-        (`number_of_neighbors` is an integer of 32 bits); when the graph on the mesh is damaged
-        and none of its parameters is given.
+        (`number_of_neighbors` is an integer of 32 bits).
     Error
         When the mesh has no triangles, or the graph would take more memory than `memory_limit`.
 
@@ -118,17 +118,8 @@ class Graph(Queries):
             count = arguments.integer(number_of_neighbors, "number_of_neighbors")
             options["number_of_neighbors"] = count
         limit = arguments.number_of_bytes(memory_limit, "memory_limit")
-        info = GraphInfo.find(surface.field_data)
-        info = None if info is not None and info.is_cloud else info
-        how = merging(merge_coincident_points, merge_tolerance, None if options else info)
-        issued = set()
-        prepared = surface.prepared(*how, issued=issued)
-        graph = _stored(surface, prepared, info, options, issued)
-        is_stored = graph is not None
-        if not is_stored:
-            options = options or (info.options if info is not None else {})
-            graph = call(_kernel.Graph, prepared, issued=issued, memory_limit=limit, **options)
-        self._take(surface.copy(), graph, limit, is_stored, issued)
+        how = merge_coincident_points, merge_tolerance
+        self._find_or_build(surface, how, limit, options, must_match=bool(options))
 
     @classmethod
     def from_polydata(cls, polydata: vtkPolyData, *, memory_limit: Optional[int] = None) -> Graph:
@@ -147,14 +138,18 @@ class Graph(Queries):
         Raises
         ------
         ValueError
-            When there are no points, no graph, or a damaged one.
+            When there are no points, no graph, or one whose parameters cannot be read.
         """
-        if not meshes.is_vtk(polydata, "vtkPolyData"):
-            raise TypeError(f"polydata: expected a vtkPolyData, got {type(polydata).__name__}")
-        surface, _ = meshes.take(polydata)
-        if GraphInfo(surface.field_data).is_cloud:
-            raise ValueError("polydata: its graph is that of a point cloud: see vtkdgg.CloudGraph")
+        require_graph(polydata, False)
         return cls(polydata, memory_limit=memory_limit)
+
+    @classmethod
+    def _of(cls, mesh, accuracy, is_merged):
+        """Returns the graph on a mesh, with a warning if it is coarser, or else builds one."""
+        graph = cls.__new__(cls)
+        options = {} if accuracy is None else {"accuracy": arguments.accuracy(accuracy)}
+        graph._find_or_build(meshes.take(mesh)[0], (is_merged, 0.0), 0, options, False)
+        return graph
 
     @classmethod
     def from_points(cls, points: Any, **options: Any) -> Any:
@@ -254,6 +249,26 @@ class Graph(Queries):
             return self._polydata(loops)
         return lines_of(loops, Loop, length="Length", angle="Angle")
 
+    def _find_or_build(self, surface, how, limit, options, must_match):
+        """Takes the graph on a surface, or else builds one. `options` are those of the kernel."""
+        info = find_info(surface.field_data)
+        if not options and info is not None and not info.is_cloud:
+            names = ("construction", "accuracy", "number_of_neighbors")
+            options = {name: getattr(info, name) for name in names}
+            options["accept_coarser_graph"] = True
+        issued = set()
+        prepared = surface.prepared(*merging(*how, None if must_match else info), issued=issued)
+        graph = call(
+            _kernel.Graph,
+            prepared,
+            stored=arrays_of(surface.field_data),
+            must_match=must_match,
+            memory_limit=limit,
+            issued=issued,
+            **options,
+        )
+        self._take(surface.copy(), graph, limit, graph.is_stored, issued)
+
     def _loops(self, points, rope, taut, projection_tolerance):
         """Returns closed geodesics as a result of the kernel."""
         if points is None and rope:
@@ -296,20 +311,3 @@ def find_isolines(prepared, field, values, issued=None, **options):
         issued=issued,
         **options,
     )
-
-
-def _stored(surface, prepared, info, options, issued):
-    """Returns the graph on the surface; None if there is none, or if `options` ask for another one.
-    A graph that cannot be used causes a warning. `info` has its parameters if they are readable."""
-    arrays = arrays_of(surface.field_data)
-    if not arrays or (info is not None and not info.is_asked_for(options)):
-        return None
-    try:
-        return call(_kernel.Graph.from_arrays, prepared, arrays)
-    except Error as error:
-        if error.reason == "OutOfMemory":
-            raise
-        if error.reason == "DamagedGraph" and info is not None and not options:
-            raise damaged(str(error)) from None
-        warn([f"{error} Another one is built."], issued)
-        return None

@@ -6,10 +6,10 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any, Optional
 
-from . import _kernel, arguments
+from . import _kernel, arguments, meshes
 from .checks import counted
-from .errors import call
-from .graph_info import CONSTRUCTIONS, PREFIX, GraphInfo, arrays_of
+from .errors import call, in_arguments
+from .graph_info import PREFIX, arrays_of
 from .surface import Surface
 
 if TYPE_CHECKING:
@@ -74,7 +74,7 @@ class GraphData:
     @property
     def construction(self) -> str:
         """The rule that chose the edges. `accuracy` bounds errors for "Guaranteed" only."""
-        return CONSTRUCTIONS[self._info.construction]
+        return self._info.construction
 
     @property
     def used_input_graph(self) -> bool:
@@ -126,10 +126,11 @@ class GraphData:
         # Version 1.0.0 did not store the origin of the graph.
         used_input_graph = state.get("used_input_graph", False)
         surface = Surface.from_state(state["surface"])
-        info = GraphInfo(surface.field_data)
+        arrays = arrays_of(surface.field_data)
+        info = _kernel.graph_info(arrays)
         issued = set(state["heard"])
-        prepared = surface.prepared(info.is_merged, info.merge_tolerance, info.is_cloud, issued)
-        graph = call(_kernel.Graph.from_arrays, prepared, arrays_of(surface.field_data))
+        how = info.merge_coincident_points, info.merge_tolerance, info.is_cloud
+        graph = call(_kernel.Graph.from_arrays, surface.prepared(*how, issued), arrays)
         self._take(surface, graph, state["memory_limit"], used_input_graph, issued)
 
     def _take(self, surface, graph, memory_limit, used_input_graph, issued):
@@ -137,7 +138,7 @@ class GraphData:
         self._surface = surface
         self._prepared, self._graph = graph.surface, graph
         self._arrays = graph.arrays
-        self._info = GraphInfo(self._arrays)
+        self._info = _kernel.graph_info(self._arrays)
         self._memory_limit = memory_limit
         self._used_input_graph = used_input_graph
         self._issued = issued  # warnings already issued, which are not repeated
@@ -166,3 +167,22 @@ class GraphData:
                 f"install scipy){remedy}"
             ) from error
         return csr_matrix
+
+
+def require_graph(polydata, is_cloud):
+    """Raises an error unless a vtkPolyData has the graph of a cloud, or of a mesh."""
+    if not meshes.is_vtk(polydata, "vtkPolyData"):
+        raise TypeError(f"polydata: expected a vtkPolyData, got {type(polydata).__name__}")
+    arrays = arrays_of(meshes.cloud_of(polydata).field_data)
+    builder = "vtkPointCloudDGG" if is_cloud else "vtkDiscreteGeodesicGraph"
+    if not arrays:
+        raise ValueError(
+            f"polydata: there is no graph in its field data; take the output of {builder}"
+        )
+    try:
+        info = _kernel.graph_info(arrays)
+    except _kernel.Error as error:
+        raise ValueError(f"polydata: {in_arguments(error.message)}") from None
+    if info.is_cloud != is_cloud:
+        kind = "a point cloud: see vtkdgg.CloudGraph" if info.is_cloud else "a mesh: see vtkdgg.Graph"
+        raise ValueError(f"polydata: its graph is that of {kind}")

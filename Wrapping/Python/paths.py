@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, Optional, Union
 
 from . import _kernel, arguments, meshes
 from .errors import call
-from .graph_info import choose_method, find_or_build, merging
+from .graph_info import arrays_of, choose_method, merging
 from .results import Path, lines_of
 
 if TYPE_CHECKING:
@@ -99,7 +99,8 @@ def path(
     target = surface.prepared(*how, info is not None and info.is_cloud)
     if method == "graph":
         accuracy = None if accuracy is None else arguments.accuracy(accuracy)
-        target = find_or_build(surface, target, accuracy)
+        stored = arrays_of(surface.field_data)
+        target = call(_kernel.Graph, target, stored=stored, accuracy=accuracy)
     else:
         options["method"] = "Exact"
     result = find(target, start, end, **options)

@@ -21,7 +21,7 @@ from vtkmodules.vtkCommonExecutionModel import (
 from . import _kernel as kernel
 from .property_table import TABLE
 from .surface import report_of
-from .vtk_input import graph_arrays, is_cloud, read_only, surface_arguments, surface_points
+from .vtk_input import graph_arrays, read_only, surface_arguments, surface_points
 from .vtk_output import vtk_array
 
 USER_ERROR = 40000  # vtkErrorCode::UserError
@@ -279,7 +279,8 @@ class PythonFilter(VTKPythonAlgorithmBase):
 
     def is_cloud(self, polydata):
         """Returns true if the points of the input are a cloud."""
-        return "AcceptCoarserGraph" in self.properties and is_cloud(polydata)
+        is_used = "AcceptCoarserGraph" in self.properties
+        return is_used and kernel.is_graph_of_cloud(read_only(graph_arrays(polydata)))
 
     def prepare(self, port, polydata, name="The input"):
         """Returns the surface of an input, which is kept until points or polygons change."""
@@ -324,67 +325,37 @@ class PythonFilter(VTKPythonAlgorithmBase):
         return surface
 
     def graph(self, polydata):
-        """Returns the graph of the input, or the own graph of a filter that uses one."""
-        accuracy = self.get("Accuracy")
-        graph = self.input_graph(polydata)
-        if graph and not self.surface.is_cloud:
-            self._compare_accuracy(graph, accuracy)
-        if not graph:
-            graph = self._own_graph(accuracy)
+        """Returns the graph on the input, or else one that is built and kept until the surface or
+        the accuracy changes."""
+        stored = graph_arrays(polydata)
+        options = {"accuracy": self.get("Accuracy")}
+        if stored:
+            is_wanted = "Accuracy" in self._explicit and not self.get("AcceptCoarserGraph")
+            options["accept_coarser_graph"] = not is_wanted
+        graph = self.find_or_build(stored, **options).graph
         self.set_results(
-            UsedInputGraph=bool(self._graph.key), GraphAccuracy=graph.accuracy,
+            UsedInputGraph=graph.is_stored, GraphAccuracy=graph.accuracy,
             NumberOfGraphEdges=graph.number_of_edges, MemorySize=graph.memory_size,
             GraphIsGuaranteed=graph.is_guaranteed, GraphBuildTime=self._build_time.GetMTime(),
         )  # fmt: skip
         return graph
 
-    def _own_graph(self, accuracy):
-        """Returns a graph that is kept until the surface or the accuracy changes."""
+    def find_or_build(self, stored, **options):
+        """Returns the graph in stored arrays, or one that is built, as a namespace that is kept
+        until the arguments or the surface change."""
+        key = TimeStamps(stored.values()), options
         kept = self._graph
-        is_own = kept and not kept.key and kept.surface is self.surface
-        if is_own and kept.accuracy == accuracy:
-            return kept.graph
-        self._graph = None  # released before another is built
-        limit = self.get("MemoryLimit")
-        graph = kernel.Graph(
-            self.surface, accuracy=accuracy, progress=self.advance, memory_limit=limit
-        )
-        self._build_time.Modified()
-        self._graph = SimpleNamespace(
-            key=None, graph=graph, surface=self.surface, accuracy=accuracy
-        )
-        return graph
-
-    def input_graph(self, polydata):
-        """Returns the graph in the field data of the input; None if there is none."""
-        arrays = graph_arrays(polydata)
-        if not arrays:
-            return None
-        key = TimeStamps(arrays.values())
-        kept = self._graph
-        if kept and kept.key and kept.key == key and kept.surface is self.surface:
-            return kept.graph
-        try:
-            graph = kernel.Graph.from_arrays(self.surface, read_only(arrays))
-        except kernel.Error as error:
-            if self.surface.is_cloud:
-                raise ValueError(
-                    f"{error.problem}. Compute the graph of these points with vtkPointCloudDGG"
-                ) from None
-            self.warn(f"{error.problem}. A new graph replaces it")
-            return None
-        self._graph = SimpleNamespace(key=key, graph=graph, surface=self.surface)
-        return graph
-
-    def _compare_accuracy(self, graph, accuracy):
-        is_wanted = "Accuracy" in self._explicit and not self.get("AcceptCoarserGraph")
-        if is_wanted and not (graph.is_guaranteed and graph.accuracy <= accuracy):
-            reason = f"has the accuracy {graph.accuracy:g}"
-            self.warn(
-                f"The graph on the input {reason if graph.is_guaranteed else 'has no guarantee'}, "
-                f"but Accuracy is {accuracy:g}. Build a graph with this Accuracy, remove the "
-                "graph, or turn on AcceptCoarserGraph"
-            )
+        if not (kept and kept.surface is self.surface and kept.key == key):
+            self._graph = None  # released before another is built
+            graph = kernel.Graph(
+                self.surface, stored=read_only(stored), progress=self.advance,
+                memory_limit=self.get("MemoryLimit"), **options,
+            )  # fmt: skip
+            self.warn_about([graph])
+            if not graph.is_stored:
+                self._build_time.Modified()
+            self._graph = SimpleNamespace(key=key, graph=graph, surface=self.surface)
+        return self._graph
 
     # Report
 

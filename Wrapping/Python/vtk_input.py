@@ -60,12 +60,6 @@ def graph_arrays(polydata):
     return {name: array for name, array in found.items() if array is not None}
 
 
-def is_cloud(polydata):
-    """Returns true if the field data contain the graph of a point cloud."""
-    info = values_of(polydata.GetFieldData().GetAbstractArray("DGG.Info"))
-    return info is not None and info.dtype.kind == "i" and info.size > 1 and info.flat[1] == 1
-
-
 def read_only(arrays):
     """Returns VTK arrays by name as read-only views, which a Graph of the kernel does not copy."""
     found = {}

@@ -259,6 +259,23 @@ GraphBuilder::GraphBuilder(const SurfaceMesh& mesh, std::size_t windowLimit)
 
 GraphBuilder::~GraphBuilder() = default;
 
+GraphOptions MakeOptions(const GraphInfo& graph)
+{
+  GraphOptions options;
+  options.Construction = graph.Construction;
+  options.Accuracy = graph.Accuracy;
+  options.NumberOfNeighbors = graph.NumberOfNeighbors;
+  return options;
+}
+
+bool IsBuiltWith(const GraphInfo& graph, const GraphOptions& options)
+{
+  const bool hasAccuracy = options.Construction != GraphConstruction::SaddleVertexGraph;
+  return graph.Construction == options.Construction &&
+    (hasAccuracy ? graph.Accuracy == options.Accuracy
+                 : graph.NumberOfNeighbors == options.NumberOfNeighbors);
+}
+
 Status GraphBuilder::Check(const GraphOptions& options)
 {
   if (options.Construction > GraphConstruction::SaddleVertexGraph)

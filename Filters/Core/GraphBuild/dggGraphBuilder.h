@@ -34,6 +34,12 @@ struct GraphOptions
   int NumberOfThreads = 1;   ///< threads that Parallel may use, to estimate memory
 };
 
+/// Returns options that build a graph like this one of a mesh.
+DGG_CORE_EXPORT GraphOptions MakeOptions(const GraphInfo& graph);
+
+/// Returns true if the options build a graph like this one.
+DGG_CORE_EXPORT bool IsBuiltWith(const GraphInfo& graph, const GraphOptions& options);
+
 /// Predicted size of a graph, extrapolated from the rows of some vertices.
 struct GraphEstimate
 {

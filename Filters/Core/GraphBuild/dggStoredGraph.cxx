@@ -4,7 +4,7 @@
 
 #include "dggBitHash.h"
 #include "dggCounted.h"
-#include "dggPreparedSurface.h"
+#include "dggGraphBuilder.h"
 #include "dggStatus.h"
 
 #include <algorithm>
@@ -119,6 +119,7 @@ Status StoredGraph::Read(
   if (!status.IsOk())
   {
     this->View = GraphView();
+    this->BuiltOn = Domain();
     this->Band = CloudBand();
   }
   return status;
@@ -128,17 +129,25 @@ Status StoredGraph::Check(
   const Arrays& arrays, const PreparedSurface& surface, const ParallelFor& parallel)
 {
   this->View.Info.Kind = IsOfCloud(arrays[Info]) ? GraphKind::Cloud : GraphKind::Mesh;
-  DGG_RETURN_IF_ERROR(this->CheckTypes(arrays));
-  DGG_RETURN_IF_ERROR(this->ReadInfo(arrays[Info], surface.IsCloud()));
+  for (int role = 0; role < NumberOfRoles; ++role)
+  {
+    DGG_RETURN_IF_ERROR(this->CheckType(role, arrays[role]));
+  }
+  DGG_RETURN_IF_ERROR(this->ReadInfo(arrays[Info]));
+  if ((this->BuiltOn.Kind == Domain::Cloud) != surface.IsCloud())
+  {
+    return InvalidInput(
+      "The graph {InArrays} is that of ", surface.IsCloud() ? "a mesh" : "a point cloud");
+  }
   DGG_RETURN_IF_ERROR(
     this->ReadSizes(arrays, surface.GetMeshWithoutAngles().GetNumberOfVertices()));
   this->Refer(arrays);
   const auto* info = arrays[Info].GetValues<std::int64_t>();
-  DGG_RETURN_IF_ERROR(this->CheckSurface(info, surface));
+  DGG_RETURN_IF_ERROR(this->CheckSurface(surface));
   return this->CheckContents(info, arrays[Targets].Size, parallel);
 }
 
-Status StoredGraph::CheckTypes(const Arrays& arrays)
+Status StoredGraph::CheckType(int role, const StoredArray& array)
 {
   struct Types
   {
@@ -155,24 +164,20 @@ Status StoredGraph::CheckTypes(const Arrays& arrays)
     { StoredArray::Double, StoredArray::Double, "single doubles" },
     { StoredArray::Int64, StoredArray::Int64, "single 64-bit integers" },
   };
-  for (int role = 0; role < NumberOfRoles; ++role)
+  if (!this->HasRole(role) || array.Type == expected[role].First ||
+    array.Type == expected[role].Second)
   {
-    const StoredArray& array = arrays[role];
-    if (!this->HasRole(role) || array.Type == expected[role].First ||
-      array.Type == expected[role].Second)
-    {
-      continue;
-    }
-    return array.Type == StoredArray::Missing
-      ? this->Damaged("the field array ", GetName(role), " is missing")
-      : this->Damaged("the field array ", GetName(role), " has the type ", array.Description,
-          " (expected ", expected[role].Text, ")");
+    return Status::Success();
   }
-  return Status::Success();
+  return array.Type == StoredArray::Missing
+    ? this->Damaged("the field array ", GetName(role), " is missing")
+    : this->Damaged("the field array ", GetName(role), " has the type ", array.Description,
+        " (expected ", expected[role].Text, ")");
 }
 
-Status StoredGraph::ReadInfo(const StoredArray& array, bool isCloud)
+Status StoredGraph::ReadInfo(const StoredArray& array)
 {
+  DGG_RETURN_IF_ERROR(this->CheckType(Info, array));
   const auto* info = array.GetValues<std::int64_t>();
   if (array.Size >= 1 && info[Version] != FormatVersion)
   {
@@ -185,6 +190,8 @@ Status StoredGraph::ReadInfo(const StoredArray& array, bool isCloud)
       static_cast<int>(InfoSize), ")");
   }
   GraphInfo& graph = this->View.Info;
+  graph.Kind = IsOfCloud(array) ? GraphKind::Cloud : GraphKind::Mesh;
+  const bool isCloud = graph.Kind == GraphKind::Cloud;
   graph.Accuracy = CopyBits<double>(info[Accuracy]);
   graph.NumberOfNeighbors = static_cast<Id>(info[NumberOfNeighbors]);
   graph.Surface = { { CopyBits<std::uint64_t>(info[FirstSignature]),
@@ -193,15 +200,25 @@ Status StoredGraph::ReadInfo(const StoredArray& array, bool isCloud)
   {
     return this->Damaged("its kind is ", info[Kind]);
   }
-  if (graph.Kind != (isCloud ? GraphKind::Cloud : GraphKind::Mesh))
-  {
-    return InvalidInput("The graph {InArrays} is that of ", isCloud ? "a mesh" : "a point cloud");
-  }
   if (!IsConstructionOf(info[Construction], graph.Kind))
   {
     return this->Damaged("its construction is ", info[Construction]);
   }
   graph.Construction = static_cast<GraphConstruction>(info[Construction]);
+  if (!isCloud && !GraphBuilder::Check(MakeOptions(graph)).IsOk())
+  {
+    return graph.Construction == GraphConstruction::SaddleVertexGraph
+      ? this->Damaged("its number of neighbors is ", graph.NumberOfNeighbors)
+      : this->Damaged("its accuracy is ", graph.Accuracy);
+  }
+  this->BuiltOn.Kind = isCloud ? Domain::Cloud
+    : info[Merged] != 0        ? Domain::MergedSurface
+                               : Domain::Surface;
+  this->BuiltOn.MergeTolerance = CopyBits<double>(info[MergeTolerance]);
+  if (!(this->BuiltOn.MergeTolerance >= 0.0))
+  {
+    return this->Damaged("its merge tolerance is ", this->BuiltOn.MergeTolerance);
+  }
   return Status::Success();
 }
 
@@ -255,20 +272,20 @@ void StoredGraph::Refer(const Arrays& arrays)
   }
 }
 
-Status StoredGraph::CheckSurface(const std::int64_t* info, const PreparedSurface& surface) const
+Status StoredGraph::CheckSurface(const PreparedSurface& surface) const
 {
   if (this->View.Info.Surface == surface.GetSignature())
   {
     return Status::Success();
   }
-  const bool wasMerged = info[Merged] != 0;
+  const bool wasMerged = this->BuiltOn.Kind == Domain::MergedSurface;
   if (wasMerged != IsMerged(surface))
   {
     return InvalidInput("The graph {InArrays} was built with {MergeCoincidentPoints} ",
       wasMerged ? "on, but the surface has it off" : "off, but the surface has it on")
       .At("MergeCoincidentPoints");
   }
-  const double tolerance = CopyBits<double>(info[MergeTolerance]);
+  const double tolerance = this->BuiltOn.MergeTolerance;
   if (tolerance != surface.GetDomain().MergeTolerance)
   {
     return InvalidInput("The graph {InArrays} was built with a {MergeTolerance} of ", tolerance,

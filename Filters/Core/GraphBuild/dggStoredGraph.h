@@ -5,10 +5,11 @@
 #ifndef dggStoredGraph_h
 #define dggStoredGraph_h
 
-#include "dggBuffer.h"        // for the info array
-#include "dggCoreExport.h"    // for DGG_CORE_EXPORT
-#include "dggGeodesicGraph.h" // for GraphView
-#include "dggStoredArray.h"   // for StoredArray
+#include "dggBuffer.h"          // for the info array
+#include "dggCoreExport.h"      // for DGG_CORE_EXPORT
+#include "dggGeodesicGraph.h"   // for GraphView
+#include "dggPreparedSurface.h" // for Domain
+#include "dggStoredArray.h"     // for StoredArray
 
 #include <array>   // for the arrays
 #include <cstdint> // for fixed-width words
@@ -16,8 +17,6 @@
 
 namespace dgg
 {
-class PreparedSurface;
-
 /// The band in which the graph of a cloud was built: the union of balls around the points, divided
 /// into voxels.
 struct CloudBand
@@ -57,6 +56,8 @@ public:
   /// format version, ids, the signature of the surface and a checksum. After a failure this graph
   /// is empty.
   Status Read(const Arrays& arrays, const PreparedSurface& surface, const ParallelFor& parallel);
+  /// Reads the parameters of a graph from the array Info alone: GetView().Info and GetDomain().
+  Status ReadInfo(const StoredArray& info);
 
   /// Returns the array Info that stores this graph of `surface`.
   Buffer<std::int64_t> MakeInfo(const PreparedSurface& surface, const ParallelFor& parallel) const;
@@ -64,6 +65,8 @@ public:
   /// Returns true if graphs of this kind have an array of the given role.
   bool HasRole(int role) const;
   const GraphView& GetView() const { return this->View; }
+  /// Returns the domain of the surface that a stored graph was built on.
+  const Domain& GetDomain() const { return this->BuiltOn; }
   /// Returns the band of a cloud; its pointers are null for a mesh.
   const CloudBand& GetBand() const { return this->Band; }
   /// Returns the defect of arrays that Read() refused as damaged. Empty for arrays that are intact
@@ -72,11 +75,10 @@ public:
 
 private:
   Status Check(const Arrays& arrays, const PreparedSurface& surface, const ParallelFor& parallel);
-  Status CheckTypes(const Arrays& arrays);
-  Status ReadInfo(const StoredArray& info, bool isCloud);
+  Status CheckType(int role, const StoredArray& array);
   Status ReadSizes(const Arrays& arrays, Offset numberOfPoints);
   void Refer(const Arrays& arrays);
-  Status CheckSurface(const std::int64_t* info, const PreparedSurface& surface) const;
+  Status CheckSurface(const PreparedSurface& surface) const;
   Status CheckContents(const std::int64_t* info, Offset edges, const ParallelFor& parallel);
   Status CheckBand();
   std::int64_t ComputeChecksum(const std::int64_t* info, const ParallelFor& parallel) const;
@@ -84,6 +86,7 @@ private:
   Status Damaged(const Parts&... parts);
 
   GraphView View;
+  Domain BuiltOn;
   CloudBand Band;
   std::string Damage;
 };

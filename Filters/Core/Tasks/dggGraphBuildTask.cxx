@@ -35,6 +35,31 @@ void UseThreads(const TaskContext& context, GraphOptions& options)
   options.NumberOfThreads = context.NumberOfThreads;
 }
 
+std::string DescribeReplacement(const std::string& problem, const GraphOptions& options)
+{
+  const std::string parameter = options.Construction == GraphConstruction::SaddleVertexGraph
+    ? JoinText("{NumberOfNeighbors} ", options.NumberOfNeighbors)
+    : JoinText("{Accuracy} ", options.Accuracy);
+  return problem + ". A graph with " + parameter + " replaces it";
+}
+
+std::string DescribeAccuracy(const GraphInfo& graph, double accuracy, bool canAccept)
+{
+  if (graph.IsGuaranteed() && graph.Accuracy <= accuracy)
+  {
+    return std::string();
+  }
+  return JoinText("The graph {InArrays} ",
+    graph.IsGuaranteed() ? JoinText("has the accuracy ", graph.Accuracy) : "guarantees no accuracy",
+    ", but {Accuracy} is ", accuracy, ". Build a graph with this {Accuracy}",
+    canAccept ? ", remove the graph, or turn on {AcceptCoarserGraph}" : ", or remove the graph");
+}
+
+Status RequireCloudGraph(const std::string& problem)
+{
+  return InvalidInput(problem).Fix("Compute the graph of these points with vtkPointCloudDGG");
+}
+
 Status BuildGraph(const TaskContext& context, const GraphBuilder& builder, GraphOptions options,
   GeodesicGraph& graph, GraphEstimate& estimate)
 {

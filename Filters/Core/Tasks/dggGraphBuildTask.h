@@ -9,6 +9,7 @@
 #include "dggGraphBuilder.h" // for GraphBuilder
 
 #include <cstddef> // for std::size_t
+#include <string>  // for messages
 
 namespace dgg
 {
@@ -18,6 +19,19 @@ struct TaskContext;
 
 /// Sets the options that depend on the threads of the context.
 DGG_CORE_EXPORT void UseThreads(const TaskContext& context, GraphOptions& options);
+
+///@{
+/// Return warnings about the graph of an input. The first states the problem because of which
+/// another graph is built. The second is empty if the graph guarantees `accuracy`; `canAccept` is
+/// true for filters with the property AcceptCoarserGraph.
+DGG_CORE_EXPORT std::string DescribeReplacement(
+  const std::string& problem, const GraphOptions& options);
+DGG_CORE_EXPORT std::string DescribeAccuracy(
+  const GraphInfo& graph, double accuracy, bool canAccept);
+///@}
+
+/// Returns the error for a cloud without a graph, which only its own filter builds.
+DGG_CORE_EXPORT Status RequireCloudGraph(const std::string& problem);
 
 /// Builds a graph of the surface of `builder`. Fails before the construction if the graph
 /// would take more memory than the limit. `estimate` is the predicted memory.

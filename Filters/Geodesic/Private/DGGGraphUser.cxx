@@ -3,6 +3,7 @@
 #include "DGGGraphUser.h"
 #include "DGGProperties.h"
 
+#include "dggGraphBuildTask.h"
 #include "dggStatus.h"
 
 #include "vtkObject.h"
@@ -83,8 +84,8 @@ dgg::Status DGGGraphUser::Update(const DGGContext& context, vtkObject* filter)
   const bool found = this->InputGraph.Find(data, context, complaint);
   if (!complaint.empty() && !isCloud)
   {
-    vtkWarningWithObjectMacro(filter,
-      << DGGRender(complaint + ". A graph with {Accuracy} ") << this->Accuracy << " replaces it.");
+    vtkWarningWithObjectMacro(
+      filter, << DGGRender(dgg::DescribeReplacement(complaint, options)) << ".");
   }
   dgg::Status status;
   if (found)
@@ -93,8 +94,7 @@ dgg::Status DGGGraphUser::Update(const DGGContext& context, vtkObject* filter)
   }
   else if (isCloud)
   {
-    status =
-      dgg::InvalidInput(complaint).Fix("Compute the graph of these points with vtkPointCloudDGG");
+    status = dgg::RequireCloudGraph(complaint);
   }
   else
   {
@@ -141,19 +141,15 @@ void DGGGraphUser::UseInput(const DGGContext& context, vtkObject* filter)
 //------------------------------------------------------------------------------
 void DGGGraphUser::WarnAboutAccuracy(vtkObject* filter)
 {
-  const dgg::GraphInfo& info = this->GetSummary().Info;
+  const std::string complaint =
+    dgg::DescribeAccuracy(this->GetSummary().Info, this->Accuracy, true);
   const bool isWanted = this->IsAccuracyExplicit && !this->AcceptCoarserGraph;
-  const bool sufficient = info.IsGuaranteed() && info.Accuracy <= this->Accuracy;
-  if (!isWanted || sufficient || this->WarnedAccuracy == this->Accuracy)
+  if (!isWanted || complaint.empty() || this->WarnedAccuracy == this->Accuracy)
   {
     return;
   }
   this->WarnedAccuracy = this->Accuracy;
-  const std::string reason = info.IsGuaranteed() ? dgg::JoinText("has the accuracy ", info.Accuracy)
-                                                 : "guarantees no accuracy";
-  vtkWarningWithObjectMacro(filter,
-    << "The graph on the input " << reason << ", but Accuracy is " << this->Accuracy
-    << ". Build a graph with this Accuracy, remove the graph, or turn on AcceptCoarserGraph.");
+  vtkWarningWithObjectMacro(filter, << DGGRender(complaint) << ".");
 }
 
 //------------------------------------------------------------------------------

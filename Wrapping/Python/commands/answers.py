@@ -14,9 +14,9 @@ import vtkdgg
 from .. import _kernel, arguments, meshes, paths, writing
 from ..cloud_graph import require_clouds
 from ..distances import METHODS as FUNCTIONS
-from ..errors import call
+from ..errors import Error, call, in_arguments
 from ..graph import MOST_VALUES, even_values, find_isolines
-from ..graph_info import CONSTRUCTIONS, GraphInfo, arrays_of, choose_method
+from ..graph_info import arrays_of, choose_method, find_info
 from ..results import voronoi_of
 from ..surface import Surface, report_of
 from . import files, places, sizes
@@ -32,7 +32,7 @@ class Negative(Exception):
 def read(options):
     """Returns the contents of the file, and true for a cloud or the graph of a cloud."""
     contents = vtkdgg.read(options.file)
-    graph = GraphInfo.find(contents.field_data)
+    graph = find_info(contents.field_data)
     is_cloud = options.cloud or (graph is not None and graph.is_cloud)
     return contents, is_cloud or files.is_cloud(contents)
 
@@ -60,23 +60,11 @@ def graph_of(options, contents, is_cloud=False):
     if is_cloud:
         refuse_on_clouds(options)
         return vtkdgg.CloudGraph(contents)
-    accuracy, merging = options.accuracy, {"merge_coincident_points": options.merge}
-    if accuracy is None or options.command == "graph" or not GraphInfo.find(contents.field_data):
-        return vtkdgg.Graph(contents, accuracy=accuracy, **merging)
-    try:
-        made = vtkdgg.Graph(contents, **merging)
-    except ValueError as error:  # it is damaged
-        warnings.warn(str(error).partition(";")[0], stacklevel=2)
-        made = None
-    if made is None or not made.used_input_graph:
-        return vtkdgg.Graph(contents, accuracy=accuracy, **merging)
-    if not made._info.keeps(accuracy):
-        warnings.warn(
-            f"--accuracy {accuracy:g} is finer than the graph of {options.file}, which is used; "
-            "'vtkdgg graph' builds a finer one",
-            stacklevel=2,
+    if options.command == "graph":
+        return vtkdgg.Graph(
+            contents, accuracy=options.accuracy, merge_coincident_points=options.merge
         )
-    return made
+    return vtkdgg.Graph._of(contents, options.accuracy, options.merge)
 
 
 def method_of(options, contents, is_cloud):
@@ -209,22 +197,19 @@ def info(options):
 
 def state_of_graph(contents):
     """Returns the accuracy of the graph of the contents, and whether it is current."""
-    graph = GraphInfo.find(contents.field_data)
-    if graph is None:
-        return "damaged: DGG.Info is missing or of another version"
-    kind = vtkdgg.CloudGraph if graph.is_cloud else vtkdgg.Graph
-    state = "current"
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore")
-        try:
-            kind(contents, memory_limit=1)  # too little to build another one
-        except vtkdgg.Error:
-            state = "stale: it belongs to other points or cells"
-        except (ImportError, ValueError) as error:
-            state = str(error)
-    name = CONSTRUCTIONS[graph.construction]
+    arrays = arrays_of(contents.field_data)
+    try:
+        graph = _kernel.graph_info(arrays)
+    except _kernel.Error as error:
+        return in_arguments(error.problem)
     accuracy = "" if graph.accuracy is None else f", accuracy {graph.accuracy:g}"
-    return f"{'scheme ' * graph.is_cloud}{name}{accuracy}, {state}"
+    state = ", current"
+    try:
+        how = graph.merge_coincident_points, graph.merge_tolerance, graph.is_cloud
+        call(_kernel.Graph.from_arrays, Surface.of(contents).prepared(*how), arrays)
+    except Error as error:
+        state = f". {error}"
+    return f"{'scheme ' * graph.is_cloud}{graph.construction}{accuracy}{state}"
 
 
 def number_of(text):

@@ -23,8 +23,9 @@ Parameters
 ----------
 surface : Surface
     A cloud: Surface(points, cloud=True).
-scheme : {"Spacing", "Curvature", "Constant"}
-    What determines the maximum length of the edges of a point.
+scheme : {"C", "B", "A"}
+    What determines the maximum length of the edges of a point: the local spacing, a constant, or
+    the curvature.
 offset_in_voxels : float
     Radius of the balls that form the band; 0 for an automatic one.
 resolution : int
@@ -60,8 +61,8 @@ struct CloudArguments
   {
     dgg::CloudGraphOptions& options = this->Options;
     arguments.ReadChoice("scheme",
-      { { "Spacing", dgg::CloudScheme::Spacing }, { "Curvature", dgg::CloudScheme::Curvature },
-        { "Constant", dgg::CloudScheme::Constant } },
+      { { "A", dgg::CloudScheme::Curvature }, { "B", dgg::CloudScheme::Constant },
+        { "C", dgg::CloudScheme::Spacing } },
       options.Scheme);
     arguments.Read("offset_in_voxels", options.OffsetInVoxels);
     arguments.Read("resolution", options.Resolution);

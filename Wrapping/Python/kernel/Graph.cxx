@@ -32,6 +32,13 @@ construction : {"Guaranteed", "OneRelay", "Indirect", "SaddleVertexGraph"}
     Rule that selects the edges. The others serve for comparison.
 number_of_neighbors : int
     Number of nearest points that a point of a SaddleVertexGraph may connect to.
+stored : dict of arrays, optional
+    As for from_arrays(). The graph in these arrays is used instead if it belongs to the surface. If
+    not, a warning states the reason; for a cloud it is an error.
+must_match : bool
+    Use a stored graph only if it was built with the three parameters above.
+accept_coarser_graph : bool
+    Omit the warning that the stored graph does not guarantee the `accuracy` that is given.
 memory_limit, number_of_threads, progress
     See the module.
 
@@ -56,6 +63,17 @@ Raises
 ------
 Error
     For arrays that are missing, damaged, or of another surface.)";
+
+constexpr const char* InfoDocumentation =
+  R"(The parameters of the graph in stored arrays, as a SimpleNamespace.
+
+Its attributes are is_cloud, is_guaranteed, construction, accuracy (None for a SaddleVertexGraph),
+number_of_neighbors, merge_coincident_points and merge_tolerance.
+
+Raises
+------
+Error
+    For an array "DGG.Info" that is missing, damaged or of another version.)";
 
 constexpr const char* EstimateDocumentation =
   R"(Predicts the size of a graph: a SimpleNamespace with edges, memory and peak (bytes).
@@ -88,23 +106,27 @@ dgg::Status RequireMesh(const Surface& surface)
                                  : dgg::Status::Success();
 }
 
-std::shared_ptr<Graph> BuildGraph(
-  const std::shared_ptr<Surface>& surface, const py::kwargs& keywords)
+/// Arrays of a graph by name. Writable arrays are copied, because callers could change them.
+struct StoredArrays
 {
-  Arguments arguments(keywords);
-  Call call(arguments);
-  dgg::GraphOptions options = ReadOptions(arguments);
-  dgg::GeodesicGraph graph;
-  call.Run([&] {
-    DGG_RETURN_IF_ERROR(RequireMesh(*surface));
-    const dgg::TaskContext context = call.MakeContext(*surface);
-    options.Progress = context.Progress;
-    dgg::GraphEstimate estimate;
-    return dgg::BuildGraph(
-      context, dgg::GraphBuilder(surface->Get().GetMesh()), options, graph, estimate);
-  });
-  return Graph::Adopt(call, surface, graph);
-}
+  explicit StoredArrays(const py::object& arrays)
+  {
+    for (int role = 0; arrays && role < dgg::StoredGraph::NumberOfRoles; ++role)
+    {
+      const char* name = dgg::StoredGraph::GetName(role);
+      if (arrays.contains(name))
+      {
+        auto array = py::cast<py::array>(arrays[name]);
+        array = array.writeable() ? MakeReadOnly(array.attr("copy")()) : array;
+        this->Named[name] = array;
+        this->ByRole[role] = ToStoredArray(array);
+      }
+    }
+  }
+
+  py::dict Named;
+  dgg::StoredGraph::Arrays ByRole;
+};
 
 py::object EstimateGraph(const Surface& surface, const py::kwargs& keywords)
 {
@@ -139,11 +161,29 @@ py::object GetLines(const Graph& graph, const py::kwargs& keywords)
   return ToPython(output);
 }
 
-const char* GetConstruction(const Graph& graph)
+const char* GetConstruction(const dgg::GraphInfo& info)
 {
   static const char* const names[] = { "Guaranteed", "OneRelay", "Indirect", "SaddleVertexGraph",
-    "CloudCurvature", "CloudConstant", "CloudSpacing" };
-  return names[static_cast<int>(graph.GetSummary().Info.Construction)];
+    "A", "B", "C" };
+  return names[static_cast<int>(info.Construction)];
+}
+
+py::object ReadInfo(const py::dict& arrays)
+{
+  dgg::StoredGraph graph;
+  ThrowUnlessOk(graph.ReadInfo(StoredArrays(arrays).ByRole[dgg::StoredGraph::Info]));
+  const dgg::GraphInfo& info = graph.GetView().Info;
+  const bool hasAccuracy = info.Construction != dgg::GraphConstruction::SaddleVertexGraph;
+  py::object result = MakeNamespace();
+  result.attr("is_cloud") = info.Kind == dgg::GraphKind::Cloud;
+  result.attr("is_guaranteed") = info.IsGuaranteed();
+  result.attr("construction") = GetConstruction(info);
+  result.attr("accuracy") =
+    hasAccuracy ? py::object(py::float_(info.Accuracy)) : py::object(py::none());
+  result.attr("number_of_neighbors") = info.NumberOfNeighbors;
+  result.attr("merge_coincident_points") = graph.GetDomain().Kind == dgg::Domain::MergedSurface;
+  result.attr("merge_tolerance") = graph.GetDomain().MergeTolerance;
+  return result;
 }
 
 /// Returns an owner of Python objects that any thread may destroy.
@@ -171,12 +211,11 @@ std::shared_ptr<Graph> Graph::Adopt(Call& call, const std::shared_ptr<Surface>& 
   std::copy(radii.begin(), radii.end(), ownRadii.begin());
   // The arrays take over the memory that the view refers to.
   const dgg::StoredGraph stored(graph.View(), { voxelSize, ownRadii.Data() });
-  auto made = std::make_shared<Graph>();
-  made->Owner = surface;
+  py::dict arrays;
   const auto add = [&](int role, auto& values) {
     if (stored.HasRole(role))
     {
-      made->Arrays[dgg::StoredGraph::GetName(role)] = MakeReadOnly(ToArray(std::move(values)));
+      arrays[dgg::StoredGraph::GetName(role)] = MakeReadOnly(ToArray(std::move(values)));
     }
   };
   dgg::Buffer<std::int64_t> info;
@@ -199,47 +238,90 @@ std::shared_ptr<Graph> Graph::Adopt(Call& call, const std::shared_ptr<Surface>& 
   add(dgg::StoredGraph::ArrivalAngles, graph.ArrivalAngles);
   add(dgg::StoredGraph::Radii, ownRadii);
   add(dgg::StoredGraph::Info, info);
-  made->Prepare(call, stored);
-  return made;
+  return Adopt(call, surface, stored, arrays);
 }
 
 //------------------------------------------------------------------------------
 std::shared_ptr<Graph> Graph::Read(
   Call& call, const std::shared_ptr<Surface>& surface, const py::dict& arrays)
 {
-  auto made = std::make_shared<Graph>();
-  made->Owner = surface;
-  dgg::StoredGraph::Arrays found;
-  for (int role = 0; role < dgg::StoredGraph::NumberOfRoles; ++role)
-  {
-    const char* name = dgg::StoredGraph::GetName(role);
-    if (!arrays.contains(name))
-    {
-      continue;
-    }
-    auto array = py::cast<py::array>(arrays[name]);
-    array = array.writeable() ? MakeReadOnly(array.attr("copy")()) : array;
-    made->Arrays[name] = array;
-    found[role] = ToStoredArray(array);
-  }
+  const StoredArrays given(arrays);
   dgg::StoredGraph stored;
   call.Run([&] {
     const dgg::TaskContext context = call.MakeContext(*surface);
-    return stored.Read(found, surface->Get(), context.Parallel);
+    return stored.Read(given.ByRole, surface->Get(), context.Parallel);
   });
-  made->Prepare(call, stored);
+  const std::shared_ptr<Graph> made = Adopt(call, surface, stored, given.Named);
+  made->Stored = true;
   return made;
 }
 
 //------------------------------------------------------------------------------
-void Graph::Prepare(Call& call, const dgg::StoredGraph& graph)
+std::shared_ptr<Graph> Graph::ReadOrBuild(
+  const std::shared_ptr<Surface>& surface, const py::kwargs& keywords)
 {
-  const std::shared_ptr<const void> owner = MakeOwner(this->Arrays);
+  Arguments arguments(keywords);
+  Call call(arguments);
+  dgg::GraphOptions options = ReadOptions(arguments);
+  bool mustMatch = false;
+  bool acceptsCoarser = !arguments.Take("accuracy");
+  const bool canAccept = static_cast<bool>(arguments.Take("accept_coarser_graph"));
+  arguments.Read("must_match", mustMatch);
+  arguments.Read("accept_coarser_graph", acceptsCoarser);
+  const StoredArrays given(arguments.Take("stored"));
+  const bool hasStored = !given.Named.empty();
+  dgg::StoredGraph stored;
+  dgg::GeodesicGraph graph;
+  std::string warning;
+  bool usesStored = false;
   call.Run([&] {
-    this->Prepared =
-      dgg::PreparedGraph::Make(graph, MakeKey(graph.GetView()), owner, this->Owner->Get());
+    const dgg::TaskContext context = call.MakeContext(*surface);
+    if (hasStored)
+    {
+      const dgg::Status status = stored.Read(given.ByRole, surface->Get(), context.Parallel);
+      if (surface->Get().IsCloud())
+      {
+        usesStored = true;
+        return status.IsOk() ? status : dgg::RequireCloudGraph(status.GetProblem());
+      }
+      const dgg::GraphInfo& info = stored.GetView().Info;
+      usesStored = status.IsOk() && !(mustMatch && !dgg::IsBuiltWith(info, options));
+      warning = !status.IsOk()        ? dgg::DescribeReplacement(status.GetProblem(), options)
+        : mustMatch || acceptsCoarser ? std::string()
+                                      : dgg::DescribeAccuracy(info, options.Accuracy, canAccept);
+    }
+    if (usesStored)
+    {
+      return dgg::Status::Success();
+    }
+    DGG_RETURN_IF_ERROR(RequireMesh(*surface));
+    options.Progress = context.Progress;
+    dgg::GraphEstimate estimate;
+    return dgg::BuildGraph(
+      context, dgg::GraphBuilder(surface->Get().GetMesh()), options, graph, estimate);
+  });
+  const std::shared_ptr<Graph> made =
+    usesStored ? Adopt(call, surface, stored, given.Named) : Adopt(call, surface, graph);
+  made->Stored = usesStored;
+  made->Damage = stored.GetDamage();
+  made->Warnings.resize(warning.empty() ? 0 : 1, warning);
+  return made;
+}
+
+//------------------------------------------------------------------------------
+std::shared_ptr<Graph> Graph::Adopt(Call& call, const std::shared_ptr<Surface>& surface,
+  const dgg::StoredGraph& graph, const py::dict& arrays)
+{
+  auto made = std::make_shared<Graph>();
+  made->Owner = surface;
+  made->Arrays = arrays;
+  const std::shared_ptr<const void> owner = MakeOwner(arrays);
+  call.Run([&] {
+    made->Prepared =
+      dgg::PreparedGraph::Make(graph, MakeKey(graph.GetView()), owner, surface->Get());
     return dgg::Status::Success();
   });
+  return made;
 }
 
 //------------------------------------------------------------------------------
@@ -275,7 +357,14 @@ const Graph& SurfaceOrGraph::GetGraph(const char* what) const
 void AddGraph(py::module_& module)
 {
   py::class_<Graph, std::shared_ptr<Graph>> type(module, "Graph", ClassDocumentation);
-  type.def(py::init(&BuildGraph), py::arg("surface"))
+  module.def("graph_info", &ReadInfo, py::arg("arrays"), InfoDocumentation);
+  module.def(
+    "is_graph_of_cloud",
+    [](const py::dict& arrays) {
+      return dgg::StoredGraph::IsOfCloud(StoredArrays(arrays).ByRole[dgg::StoredGraph::Info]);
+    },
+    py::arg("arrays"), "Returns true if stored arrays, which may be damaged, belong to a cloud.");
+  type.def(py::init(&Graph::ReadOrBuild), py::arg("surface"))
     .def_static(
       "from_arrays",
       [](const std::shared_ptr<Surface>& surface, const py::dict& arrays,
@@ -295,7 +384,8 @@ void AddGraph(py::module_& module)
       "Arrays of the graph by name, read-only.")
     .def_property_readonly(
       "accuracy", [](const Graph& graph) { return graph.GetSummary().Info.Accuracy; })
-    .def_property_readonly("construction", &GetConstruction)
+    .def_property_readonly(
+      "construction", [](const Graph& graph) { return GetConstruction(graph.GetSummary().Info); })
     .def_property_readonly("number_of_neighbors",
       [](const Graph& graph) { return graph.GetSummary().Info.NumberOfNeighbors; })
     .def_property_readonly(
@@ -305,7 +395,13 @@ void AddGraph(py::module_& module)
     .def_property_readonly(
       "memory_size", [](const Graph& graph) { return graph.GetSummary().MemorySize; })
     .def_property_readonly("search_memory_size", &Graph::GetSearchMemorySize,
-      "Bytes of the data that calls on this graph reuse.");
+      "Bytes of the data that calls on this graph reuse.")
+    .def_property_readonly(
+      "is_stored", &Graph::IsStored, "True if the graph is that of the argument `stored`.")
+    .def_property_readonly(
+      "warnings", [](const Graph& graph) { return RenderWarnings(graph.GetWarnings()); })
+    .def_property_readonly("damage", &Graph::GetDamage,
+      "What is damaged in the argument `stored`; empty if it is intact or of another surface.");
   AddGraphQueries(type);
 }
 }

@@ -14,7 +14,8 @@
 
 #include <cstddef> // for std::size_t
 #include <memory>  // for the surface
-#include <vector>  // for radii
+#include <string>  // for warnings
+#include <vector>  // for radii and warnings
 
 namespace dggPython
 {
@@ -48,9 +49,19 @@ public:
   /// Reads stored arrays. Writable arrays are copied, because callers could change them.
   static std::shared_ptr<Graph> Read(
     Call& call, const std::shared_ptr<Surface>& surface, const py::dict& arrays);
+  /// Reads the argument `stored`, or builds a graph if there is none that can be used.
+  static std::shared_ptr<Graph> ReadOrBuild(
+    const std::shared_ptr<Surface>& surface, const py::kwargs& keywords);
 
   const Surface& GetSurface() const { return *this->Owner; }
   const py::dict& GetArrays() const { return this->Arrays; }
+  ///@{
+  /// Return findings of ReadOrBuild(): true if the graph was read, warnings, and the defect of
+  /// damaged arrays.
+  bool IsStored() const { return this->Stored; }
+  const std::vector<std::string>& GetWarnings() const { return this->Warnings; }
+  const std::string& GetDamage() const { return this->Damage; }
+  ///@}
   const dgg::GraphSummary& GetSummary() const { return this->Prepared->GetSummary(); }
   /// Destroys the sessions that no call uses.
   void Release() { this->Sessions.Clear(); }
@@ -63,11 +74,15 @@ public:
   }
 
 private:
-  /// Prepares the graph, whose arrays are complete.
-  void Prepare(Call& call, const dgg::StoredGraph& graph);
+  /// Takes a graph with its arrays.
+  static std::shared_ptr<Graph> Adopt(Call& call, const std::shared_ptr<Surface>& surface,
+    const dgg::StoredGraph& graph, const py::dict& arrays);
 
   std::shared_ptr<Surface> Owner;
   py::dict Arrays;
+  bool Stored = false;
+  std::vector<std::string> Warnings;
+  std::string Damage;
   dgg::PreparedGraph::Pointer Prepared;
   mutable SessionPool<dgg::GraphSession> Sessions;
 };
