@@ -20,7 +20,6 @@ _ARGUMENTS = {
     "first_sample": "first",
     "number_of_iterations": "iterations",
 }
-_ARGUMENT = re.compile(rf"`({'|'.join(_ARGUMENTS)})`")
 
 
 class Error(RuntimeError):
@@ -103,10 +102,20 @@ def warn(texts, issued=None):
             issued.add(text)
 
 
+def render(text, name_of, arrays, quote=""):
+    """Returns a message of the kernel in the terms of a front.
+
+    `name_of` returns the name of an argument, which is in backticks or begins the message. `arrays`
+    replaces "in `arrays`". `quote` encloses names within the message.
+    """
+    text = text.replace("in `arrays`", arrays)
+    text = re.sub(r"`(\w+)`", lambda match: f"{quote}{name_of(match[1])}{quote}", text)
+    return re.sub(r"\A[a-z]\w*(?=: )", lambda match: name_of(match[0]), text)
+
+
 def in_arguments(text):
     """Returns a message of the kernel with the names of arguments of the package."""
-    text = text.replace("in `arrays`", "on the mesh")
-    return _ARGUMENT.sub(lambda match: f"`{_ARGUMENTS[match[1]]}`", text)
+    return render(text, lambda name: _ARGUMENTS.get(name, name), "on the mesh", "`")
 
 
 def depth_of_package():

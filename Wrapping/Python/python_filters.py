@@ -19,6 +19,7 @@ from vtkmodules.vtkCommonExecutionModel import (
 )
 
 from . import _kernel as kernel
+from .errors import render
 from .property_table import TABLE
 from .surface import report_of
 from .vtk_input import graph_arrays, read_only, surface_arguments, surface_points
@@ -422,8 +423,7 @@ def property_of(argument):
 
 def in_properties(text):
     """Returns a message of the kernel with properties and ports in place of arguments."""
-    text = text.replace("in `arrays`", "on the input")
-    return re.sub(r"`(\w+)`", lambda match: _PORTS.get(match[1]) or property_of(match[1]), text)
+    return render(text, lambda name: _PORTS.get(name) or property_of(name), "on the input")
 
 
 def _namespace(entry, bases):

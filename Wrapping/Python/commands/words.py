@@ -4,6 +4,8 @@
 
 import re
 
+from ..errors import render
+
 # Help of the explorer.
 HELP = """click: source of the distances, then the end of a path, then the corner of a loop
 drag: move a marker; beside the surface, or with Ctrl, rotate the camera
@@ -40,9 +42,7 @@ def in_options(text):
     """Returns a message of a filter or a function with options in place of arguments, which are in
     backticks or in front. The name of the filter is removed."""
     text = re.sub(r"\bvtk(?!dgg)\w+: ", "", text)
-    text = re.sub(r"`(\w+)`", lambda match: OPTIONS.get(match[1], match[1].replace("_", " ")), text)
-    first, colon, rest = text.partition(": ")
-    return OPTIONS.get(first, first) + colon + rest
+    return render(text, lambda name: OPTIONS.get(name, name), "of the file")
 
 
 def notes_of(caught):
