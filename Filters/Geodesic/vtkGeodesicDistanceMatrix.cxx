@@ -239,7 +239,7 @@ dgg::Status vtkGeodesicDistanceMatrix::vtkInternals::Execute(
   // Allocated before the graph, because the graph may use all memory that remains free.
   dgg::Buffer<double> values;
   DGG_RETURN_IF_ERROR(
-    dgg::AllocateMatrix(context.Memory, rows.size(), numberOfColumns, withTable, values));
+    dgg::AllocateMatrix(context.Memory, rows.size(), numberOfColumns, withTable, false, values));
   const Columns table = MakeColumns(withTable ? rows.size() : 0, withTable ? numberOfColumns : 0);
 
   DGG_RETURN_IF_ERROR(this->GraphUser.Update(context, this->Self));

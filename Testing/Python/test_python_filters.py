@@ -481,6 +481,24 @@ class Updates(unittest.TestCase):
                 warnings.append(len(found))
             self.assertEqual(warnings, [count, count])
 
+    def test_names_in_errors(self):
+        """Errors about arguments of the kernel name the properties."""
+        for method, value, pattern in (
+            ("SetAccuracy", 0.9, "Accuracy is 0.9"),
+            ("SetMemoryLimit", -1, "MemoryLimit: expected a number of bytes"),
+        ):
+            distance = made(python_filters, ("vtkDGGDistance", MESH, (method, value)), [])
+            self.assertRegex(reports_of(distance)[0][0], f" {pattern}")
+
+    def test_memory_of_a_matrix(self):
+        """The matrix and its copy count."""
+        size = 8 * len(POINTS) ** 2
+        ids = list(range(len(POINTS)))
+        for factor, count in ((1.5, 1), (2.5, 0)):
+            calls = ("SetMemoryLimit", int(factor * size)), ("SetRowIds", ids)
+            matrix = made(python_filters, ("vtkGeodesicDistanceMatrix", GRAPH, *calls), [])
+            self.assertEqual(len(reports_of(matrix)[0]), count)
+
     def test_abort(self):
         for filters in (vtkdgg, python_filters):
             with self.subTest(filters=filters.__name__):

@@ -312,19 +312,22 @@ class vtkGeodesicDistanceMatrix:
     def run(self, polydata):
         rows = self.points(1, "RowIds")
         is_symmetric = not self.get("ColumnIds") and self.input(2) is None
-        others = ["Accuracy", "CompressedRows", "GenerateTable"]
+        others = ["Accuracy", "CompressedRows"]
         if self.get("CompressedRows"):
             if not is_symmetric:
                 raise ValueError(
                     "CompressedRows is on, but columns are chosen. Remove the columns, or turn off "
                     "CompressedRows"
                 )
-            arguments = self.arguments("UnreachedValue", *others)
+            arguments = self.arguments("UnreachedValue", "GenerateTable", *others)
             return [self._compressed(self.graph(polydata).neighborhood(rows, **arguments))]
         columns = None if is_symmetric else self.points(2, "ColumnIds")
-        matrix = self.graph(polydata).matrix(rows, columns, **self.arguments("Correction", *others))
-        self.set_results(Matrix=vtk_array(matrix, DISTANCE))
-        return [self._table(matrix) if self.get("GenerateTable") else vtkTable()]
+        arguments = self.arguments("Correction", *others)
+        matrix = self.graph(polydata).matrix(rows, columns, with_copy=True, **arguments)
+        found = vtk_array(matrix, DISTANCE)
+        self.set_results(Matrix=found)
+        matrix = None  # released before the table is made
+        return [self._table(values_of(found)) if self.get("GenerateTable") else vtkTable()]
 
     def _compressed(self, found):
         table = vtkTable()
@@ -335,7 +338,7 @@ class vtkGeodesicDistanceMatrix:
         return table
 
     def _table(self, matrix):
-        count = matrix.shape[1]
+        count = matrix.size // len(matrix)
         if count > MOST_COLUMNS:
             self.warn(
                 f"The table would have {count} columns, more than {MOST_COLUMNS}, so the output is "
@@ -343,7 +346,7 @@ class vtkGeodesicDistanceMatrix:
             )
             return vtkTable()
         table = vtkTable()
-        for i, values in enumerate(matrix.T):
+        for i, values in enumerate(matrix.reshape(-1, count).T):
             # Named afterwards, since a named array is compared with all existing columns.
             column = vtk_array(values)
             table.AddColumn(column)

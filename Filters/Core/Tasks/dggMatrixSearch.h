@@ -21,9 +21,9 @@ class GraphSession;
 struct TaskContext;
 
 /// Allocates a matrix of Infinity. Writing the entries commits the memory. Fails if the matrix
-/// would exceed the limit, or the matrix with a table that repeats it.
+/// would exceed the limit, or the matrix with a table that repeats it, or with another copy.
 DGG_CORE_EXPORT Status AllocateMatrix(const MemoryBudget& memory, std::size_t rows,
-  std::size_t columns, bool withTable, Buffer<double>& matrix);
+  std::size_t columns, bool withTable, bool withCopy, Buffer<double>& matrix);
 
 /// Returns entries that are Infinity. Writing them commits the memory.
 DGG_CORE_EXPORT Buffer<double> MakeUnreached(std::size_t size);

@@ -38,6 +38,9 @@ maximum_distance : float
     Larger distances become `unreached_value`.
 unreached_value : float
     Default: NaN.
+generate_table, with_copy : bool
+    Reserve memory for a table with the same entries, or for another copy of the matrix, which the
+    caller makes after the call.
 projection_tolerance, memory_limit, number_of_threads, progress
     See the module.
 
@@ -117,11 +120,15 @@ struct MatrixArguments
     this->Columns.ReadTolerance(arguments);
     arguments.ReadLength("maximum_distance", this->Radius);
     arguments.Read("unreached_value", this->UnreachedValue);
+    arguments.Read("generate_table", this->WithTable);
+    arguments.Read("with_copy", this->WithCopy);
   }
 
   SurfacePoints Rows;
   SurfacePoints Columns;
   bool IsSymmetric;
+  bool WithTable = false;
+  bool WithCopy = false;
   double Radius = dgg::Infinity;
   double UnreachedValue = std::numeric_limits<double>::quiet_NaN();
 };
@@ -137,7 +144,8 @@ dgg::Status FindMatrix(const dgg::TaskContext& context, const Graph& graph,
     DGG_RETURN_IF_ERROR(arguments.Columns.Locate(context, columns));
   }
   DGG_RETURN_IF_ERROR(dgg::AllocateMatrix(context.Memory, rows.size(),
-    arguments.IsSymmetric ? rows.size() : columns.size(), false, matrix));
+    arguments.IsSymmetric ? rows.size() : columns.size(), arguments.WithTable, arguments.WithCopy,
+    matrix));
   const Graph::Session session(graph);
   return dgg::FindMatrix(context, *session, rows, arguments.IsSymmetric ? nullptr : &columns,
     arguments.Radius, arguments.UnreachedValue, matrix.Data());
