@@ -143,6 +143,7 @@ public:
    *    coordinates;
    *  - LargestCapHeight: largest height of removed triangles of near-zero area, summed over stacked
    *    triangles, in units of the coordinates. The surface has moved by at most this height;
+   *  - Area: sum over the triangles, without those of near-zero area;
    *  - MeanAnisotropy, MedianAnisotropy: see GetMeanAnisotropy().
    */
   vtkTable* GetMeshReportTable();

@@ -189,6 +189,7 @@ TEST(MeshReport, MeasuresAnisotropy)
   const double length = std::hypot(30.0, 1.0);
   const double product = length * (31.0 + length) / (4.0 * std::sqrt(3.0));
   EXPECT_NEAR(Inspect(plates).MeanAnisotropy, (9.0 * right + product) / (9.0 + 15.0), 1e-12);
+  EXPECT_NEAR(Inspect(plates).Area, 9.0 + 15.0, 1e-12);
   EXPECT_EQ(Inspect(TestMesh()).MeanAnisotropy, 0.0);
 }
 

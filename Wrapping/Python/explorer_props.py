@@ -13,9 +13,8 @@ from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkFiltersGeneral import vtkVertexGlyphFilter
 from vtkmodules.vtkRenderingCore import vtkCellPicker, vtkPointPicker
 
-from . import pictures
+from . import _kernel, pictures
 from .commands.cloud_pictures import make_bands
-from .commands.sizes import spacing_of
 from .vtk_data import add_array, configured, coordinates_of, structure_of
 
 # Lightness of the cells of sources, alternating.
@@ -70,7 +69,7 @@ class CloudSkin:
 
     def __init__(self, cloud):
         self._count = cloud.GetNumberOfPoints()
-        self.spacing = spacing_of(coordinates_of(cloud))
+        self.spacing, _ = _kernel.cloud_size(coordinates_of(cloud))
         plain = pictures.lookup_table(
             (pictures.UNREACHED_DISTANCE,) * 2, 0.0, 1.0, pictures.UNREACHED_DISTANCE
         )

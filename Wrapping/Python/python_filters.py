@@ -21,7 +21,6 @@ from vtkmodules.vtkCommonExecutionModel import (
 from . import _kernel as kernel
 from .errors import render
 from .property_table import TABLE
-from .surface import report_of
 from .vtk_input import graph_arrays, read_only, surface_arguments, surface_points
 from .vtk_output import vtk_array
 
@@ -364,7 +363,7 @@ class PythonFilter(VTKPythonAlgorithmBase):
         """Returns the report as text, one item per line."""
         if 0 not in self._surfaces or self._surfaces[0].surface.number_of_triangles == 0:
             return "no surface\n"
-        report = report_of(self._surfaces[0].surface)
+        report = self._surfaces[0].surface.describe()
         return "".join(f"{words}: {text}\n" for words, text in report.items())
 
     def GetMeshReportTable(self):

@@ -17,11 +17,6 @@ from .vtk_output import GRAPH_ARRAYS, is_on_input, window_arrays
 _NORMALS, _SCALARS = ATTRIBUTES.index("normals"), ATTRIBUTES.index("scalars")
 # Keys of a state that can be pickled, and the corresponding cells and arrays of a DataSet.
 _CELLS = {"Verts": "verts", "Lines": "lines", "Polys": "polygons", "Strips": "strips"}
-# Texts of the report that do not follow from the names.
-_WORDS = {
-    "mollification": "length added to degenerate faces",
-    "largest_cap_height": "height of removed degenerate faces",
-}
 _ARRAYS = {"PointData": "point_data", "CellData": "cell_data", "FieldData": "field_data"}
 
 
@@ -211,17 +206,3 @@ class Surface:
         active = state.get("Active", {})
         data.active = {ATTRIBUTES.index(kind): name for kind, name in active.items()}
         return cls(data)
-
-
-def report_of(prepared):
-    """Returns size, defects and quality of a surface of the kernel as texts by name."""
-    found = {}
-    for name, value in prepared.report().items():
-        words = name.replace("number_of_", "").replace("non_", "non-").replace("_", " ")
-        text = f"{value:.0f}" if value.is_integer() else f"{value:g}"
-        if name == "orientable":
-            text = "yes" if value else "no"
-        elif name == "genus" and value < 0:
-            text = "undefined"
-        found[_WORDS.get(name, words)] = text
-    return found

@@ -231,6 +231,7 @@ MeshReport InspectMesh(const SurfaceMesh& mesh, const double* points)
   report.DegenerateFaces = mesh.GetNumberOfDegenerateFaces();
   report.CoincidentPoints = points ? CountCoincidentPoints(points, report.Vertices) : 0;
   report.Mollification = mesh.GetMollification();
+  ForEachElongation(mesh, [&](double, double area) { report.Area += area; });
   report.MeanAnisotropy = MeasureMeanAnisotropy(mesh);
   report.MedianAnisotropy = MeasureMedianAnisotropy(mesh);
 

@@ -31,6 +31,7 @@ struct MeshReport
   /// Total genus over all components, with the fans of non-manifold vertices separated; -1 if a
   /// non-manifold edge exists or the mesh has no orientation.
   Offset Genus = 0;
+  double Area = 0.0;             ///< of the non-degenerate faces
   double MeanAnisotropy = 0.0;   ///< see MeasureMeanAnisotropy()
   double MedianAnisotropy = 0.0; ///< median of the same quantity over the faces
   double Mollification = 0.0;    ///< length added to the edges of degenerate faces

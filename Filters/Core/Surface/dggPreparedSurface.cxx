@@ -459,6 +459,7 @@ std::vector<ReportItem> PreparedSurface::ListReport() const
     item("NumberOfMergedPoints", "merged points", this->NumberOfMergedPoints),
     item("Mollification", "length added to degenerate faces", report.Mollification),
     item("LargestCapHeight", "height of removed degenerate faces", this->GetLargestCapHeight()),
+    item("Area", "area", report.Area),
     item("MeanAnisotropy", "mean anisotropy", report.MeanAnisotropy),
     item("MedianAnisotropy", "median anisotropy", report.MedianAnisotropy),
   };

@@ -18,11 +18,13 @@ from ..errors import Error, call, in_arguments
 from ..graph import MOST_VALUES, even_values, find_isolines
 from ..graph_info import arrays_of, choose_method, find_info
 from ..results import voronoi_of
-from ..surface import Surface, report_of
-from . import files, places, sizes
+from ..surface import Surface
+from . import files, places
 
 # Methods of distances on a mesh.
 METHODS = tuple(FUNCTIONS)
+# Width of gaps that separate the components of a cloud, in spacings.
+GAP = 5.0
 
 
 class Negative(Exception):
@@ -185,13 +187,13 @@ def info(options):
         found["lines"] = len(contents.lines[0]) - 1
         warnings.warn("there is no surface; --cloud uses the points only", stacklevel=2)
     if kind == "surface":
-        found["area"] = sizes.area_of(contents)
-        for key, text in report_of(Surface.of(contents).prepared()).items():
+        prepared = Surface.of(contents).prepared()
+        found["area"] = prepared.report()["area"]
+        for key, text in prepared.describe().items():
             found.setdefault(key, number_of(text))
     if kind == "point cloud":
         cloud = files.finite_points(contents, options.file).points
-        spacing = sizes.spacing_of(cloud)
-        found.update({"spacing": spacing, "components": sizes.components_of(cloud, spacing)})
+        found["spacing"], found["components"] = call(_kernel.cloud_size, cloud, gap=GAP)
     return found
 
 

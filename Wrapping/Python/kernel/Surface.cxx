@@ -9,6 +9,7 @@
 #include "Outputs.h"
 #include "SurfacePoints.h"
 
+#include "dggCloudSize.h"
 #include "dggPropertyChecks.h"
 #include "dggStatus.h"
 #include "dggSurfaceOutput.h"
@@ -68,6 +69,23 @@ Raises
 Error
     For coordinates that are not finite, and for positions that are too far away.)";
 
+constexpr const char* CloudSizeDocumentation =
+  R"(The spacing of a cloud, and the number of its components, without a graph.
+
+Parameters
+----------
+points : array_like, shape (n, 3)
+    Points that are not finite are ignored.
+gap : float
+    Width of the gaps that separate components, in spacings; 0 for no components.
+progress
+    See the module.
+
+Returns
+-------
+tuple
+    Median distance of about 500 points from their fourth neighbor, and number of components.)";
+
 dgg::Domain ReadDomain(Arguments& arguments)
 {
   bool isMerged = false;
@@ -96,6 +114,30 @@ py::dict MakeReport(const Surface& surface)
     report[GetArgumentName(item.Name).c_str()] = item.Value;
   }
   return report;
+}
+
+py::dict DescribeReport(const Surface& surface)
+{
+  py::dict report;
+  for (const dgg::ReportItem& item : surface.Get().ListReport())
+  {
+    report[item.Words] = item.Text;
+  }
+  return report;
+}
+
+py::tuple MeasureCloud(const py::handle& points, const py::kwargs& keywords)
+{
+  Arguments arguments(keywords);
+  Call call(arguments);
+  const Array<double> positions = ToTable(points, 3, "points");
+  double gap = 0.0;
+  arguments.ReadLength("gap", gap);
+  dgg::CloudSize size;
+  call.Run([&] {
+    return dgg::MeasureCloud(positions.data(), positions.size() / 3, gap, call.GetProgress(), size);
+  });
+  return py::make_tuple(size.Spacing, size.NumberOfComponents);
 }
 
 py::object FindClosestPoints(
@@ -179,6 +221,7 @@ void Surface::Release()
 //------------------------------------------------------------------------------
 void AddSurface(py::module_& module)
 {
+  module.def("cloud_size", &MeasureCloud, py::arg("points"), CloudSizeDocumentation);
   py::class_<Surface, std::shared_ptr<Surface>>(module, "Surface", ClassDocumentation)
     .def(py::init([](const py::object& points, const py::object& cells, const py::kwargs& options) {
       return std::make_shared<Surface>(points, cells, options);
@@ -204,6 +247,7 @@ void AddSurface(py::module_& module)
       [](const Surface& surface) { return RenderWarnings(surface.Get().GetWarnings()); },
       "Warnings about the surface.")
     .def("report", &MakeReport, "Size, defects and quality of the surface: numbers by name.")
+    .def("describe", &DescribeReport, "The report as texts by readable name.")
     .def("closest_points", &FindClosestPoints, py::arg("positions"), ClosestPointsDocumentation)
     .def_property_readonly("number_of_sessions", &Surface::GetNumberOfSessions,
       "Number of sessions that calls reuse: one for each kind of call, more after simultaneous "
