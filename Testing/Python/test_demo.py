@@ -171,9 +171,9 @@ class Demo(unittest.TestCase):
         check_mistakes(
             self,
             (("missing.off",), "missing.off: no such file"),
-            ((TETRAHEDRON, "--source", "4"), "point id from 0 to 3"),
-            ((TETRAHEDRON, "--source", "1,1,1", "--tolerance", "-1"), "--tolerance: expected"),
-            ((TETRAHEDRON, "--accuracy", "0.6"), "--accuracy: expected .* got 0.6"),
+            ((TETRAHEDRON, "--source", "4"), "point id 4 .* does not exist"),
+            ((TETRAHEDRON, "--source", "1,1,1", "--tolerance", "-1"), "--tolerance is -1"),
+            ((TETRAHEDRON, "--accuracy", "0.6"), "--accuracy is 0.6"),
         )
 
 

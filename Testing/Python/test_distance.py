@@ -141,7 +141,7 @@ class WrongInput(support.Test):
             return vtkdgg.Graph(**given).distance(**{"sources": 0, **others, name: value})
 
         for call in (of_function, of_graph):
-            self.refuse(call, *(((value,), f"{name}: .*{pattern}") for value, pattern in cases))
+            self.refuse(call, *(((value,), f"{name}.*{pattern}") for value, pattern in cases))
 
     def test_points(self):
         bad = self.POINTS.copy()
@@ -202,11 +202,13 @@ class WrongInput(support.Test):
     def test_numbers(self):
         names = "unreached", "projection_tolerance", "accuracy", "maximum_distance"
         for name in names:
-            least = (-0.1, np.nan) if name != "unreached" else (None,)
-            for value in ("x", "1", [1, 2], 10**400, *least):
+            for value in ("x", "1", [1, 2], 10**400):
                 self.refuse_all(name, (value, "expected a number"))
-        pattern = r"expected a number in \[1e-6, 0.5\], got "
-        self.refuse_all("accuracy", *((x, f"{pattern}{x:g}") for x in (0.0, 1e-7, 0.51, np.inf)))
+            if name != "unreached":
+                self.refuse_all(name, *((x, f"is {x:g}. Use a number") for x in (-0.1, np.nan)))
+        self.refuse_all(
+            "accuracy", *((x, "Use a number from 1e-06 to 0.5") for x in (0.0, 1e-7, 0.51, np.inf))
+        )
 
     def test_initial_distances(self):
         self.refuse_all(

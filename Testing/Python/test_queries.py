@@ -219,7 +219,7 @@ class OnABumpySphere(support.Test):
         self.assertLessEqual(coarse.covering_radii[-1], 0.2 * self.size)
         self.assertLess(len(coarse.points), 600)
         self.assertEqual(self.graph.sample(9, as_polydata=True).GetNumberOfPoints(), 9)
-        self.refuse(self.graph.sample, ((0,), "number_of_samples: expected at least 1, got 0"))
+        self.refuse(self.graph.sample, ((0,), "`number_of_samples` is 0. Use a number of at least 1"))
 
     def test_voronoi(self):
         sites = [5, 17, 318]
@@ -341,7 +341,7 @@ class Ends(support.Test):
         self.refuse(graph.path, ({**given, "projection_tolerance": -1}, "projection_tolerance"))
         self.refuse(
             lambda **given: vtkdgg.path(*mesh, **given),
-            ({**given, "accuracy": 0.7}, "accuracy: expected a number"),
+            ({**given, "accuracy": 0.7}, "`accuracy` is 0.7. Use a number"),
         )
 
 
@@ -389,7 +389,7 @@ class OfACloud(support.Test):
             vtkdgg.CloudGraph,
             (([],), "points: expected at least one"),
             (([[0, 0]],), "points: expected the shape"),
-            ({"points": self.points, "normals": [[0, 0, 1]]}, "normals: expected 861"),
+            ({"points": self.points, "normals": [[0, 0, 1]]}, "normals: expected one per point, 861"),
             ({"points": self.points, "scheme": "D"}, "scheme"),
         )
         with mock.patch.object(vtkdgg._kernel, "cloud_graph"):

@@ -254,7 +254,9 @@ def finite_numbers(values, name, count):
 
 
 def number(value, name):
-    """Returns one number. Text is an error, also if it looks like a number."""
+    """Returns one number; None for None. Text is an error, also if it looks like a number."""
+    if value is None:
+        return None
     try:
         if isinstance(value, (str, bytes)):
             raise TypeError
@@ -263,38 +265,17 @@ def number(value, name):
         raise ValueError(f"{name}: expected a number, got {value!r}") from None
 
 
-def accuracy(value):
-    """Returns the accuracy of the graph of a mesh."""
-    result = number(value, "accuracy")
-    if not 1e-6 <= result <= 0.5:
-        raise ValueError(f"accuracy: expected a number in [1e-6, 0.5], got {result:g}")
-    return result
-
-
-def integer(value, name, least=-(2**31)):
-    """Returns one integer of 32 bits that is not less than `least`."""
+def integer(value, name):
+    """Returns one integer of 32 bits; None for None."""
+    if value is None:
+        return None
     try:
         result = operator.index(value)
     except TypeError:
         raise ValueError(f"{name}: expected an integer, got {value!r}") from None
     if not -(2**31) <= result < 2**31:
         raise ValueError(f"{name}: expected an integer of 32 bits, got {result}")
-    if result < least:
-        raise ValueError(f"{name}: expected at least {least}, got {result}")
     return result
-
-
-def limit(value, name):
-    """Returns a number that is not negative; infinity for None."""
-    result = np.inf if value is None else number(value, name)
-    if not result >= 0.0:
-        raise ValueError(f"{name}: expected a number of at least 0, got {result}")
-    return result
-
-
-def projection_tolerance(value):
-    """Returns a number that is not negative; the default of the filters for None."""
-    return 0.01 if value is None else limit(value, "projection_tolerance")
 
 
 def number_of_bytes(value, name):

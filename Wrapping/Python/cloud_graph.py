@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, Optional
 from . import _kernel, arguments, meshes
 from .errors import Error, call, warn
 from .graph_data import require_graph
-from .graph_info import SCHEMES, arrays_of, find_info
+from .graph_info import arrays_of, find_info
 from .queries import Queries
 
 if TYPE_CHECKING:
@@ -74,21 +74,16 @@ class CloudGraph(Queries):
         memory_limit: Optional[int] = None,
     ) -> None:
         cloud = meshes.cloud_of(points)
-        count = cloud.number_of_points
-        if count == 0:
+        if cloud.number_of_points == 0:
             raise ValueError("points: expected at least one, got none")
         limit = arguments.number_of_bytes(memory_limit, "memory_limit")
-        if scheme not in (None, *SCHEMES):
-            raise ValueError(f"scheme: expected one of {', '.join(SCHEMES)}, got {scheme!r}")
         options = {
-            "offset_in_voxels": arguments.number(offset_in_voxels, "offset_in_voxels"),
-            "resolution": arguments.integer(resolution, "resolution"),
-            "alpha": arguments.number(alpha, "alpha"),
+            "offset_in_voxels": offset_in_voxels,
+            "resolution": resolution,
+            "alpha": alpha,
         }
-        if accuracy is not None:
-            options["accuracy"] = arguments.number(accuracy, "accuracy")
-        is_default = normals is None and scheme is None and accuracy is None
-        info = None if any(options.values()) or not is_default else find_info(cloud.field_data)
+        is_given = any(options.values()) or any(x is not None for x in (normals, scheme, accuracy))
+        info = None if is_given else find_info(cloud.field_data)
         issued = set()
         prepared = cloud.prepared(is_cloud=True, issued=issued)
         if info is not None and info.is_cloud:
@@ -98,16 +93,15 @@ class CloudGraph(Queries):
                 return
             except Error as error:
                 warn([f"{error} Another one is built."], issued)
-            scheme, options["accuracy"] = info.construction, info.accuracy
+            scheme, accuracy = info.construction, info.accuracy
         if normals is not None:
             normals = arguments.coordinates(normals, "normals")
-            if len(normals) != count:
-                raise ValueError(f"normals: expected {count}, got {len(normals)}")
         require_clouds()
         built = call(
             _kernel.cloud_graph,
             prepared,
             scheme=scheme,
+            accuracy=accuracy,
             normals=cloud.normals if normals is None else normals,
             memory_limit=limit,
             issued=issued,

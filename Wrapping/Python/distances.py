@@ -138,7 +138,6 @@ def distance(
     has_cloud = info is not None and info.is_cloud
     target = surface.prepared(*how, has_cloud or (method == "marching" and not surface.has_polygons))
     if method == "graph":
-        accuracy = None if accuracy is None else arguments.accuracy(accuracy)
         stored = arrays_of(surface.field_data)
         target = call(_kernel.Graph, target, stored=stored, accuracy=accuracy)
     options["generate_nearest_source"] = bool(return_source)
@@ -149,8 +148,8 @@ def distance(
 def field_options(sources, maximum_distance, initial_distances, projection_tolerance):
     """Returns the options that distances of the kernel have in common, after their check."""
     options = {
-        "maximum_distance": arguments.limit(maximum_distance, "maximum_distance"),
-        "projection_tolerance": arguments.projection_tolerance(projection_tolerance),
+        "maximum_distance": arguments.number(maximum_distance, "maximum_distance"),
+        "projection_tolerance": arguments.number(projection_tolerance, "projection_tolerance"),
     }
     if initial_distances is not None:
         count = len(sources)

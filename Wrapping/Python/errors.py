@@ -19,6 +19,7 @@ __all__ = ["Error", "VTKError"]
 _ARGUMENTS = {
     "first_sample": "first",
     "number_of_iterations": "iterations",
+    "unreached_value": "unreached",
 }
 
 
@@ -54,6 +55,10 @@ class Error(RuntimeError):
         return type(self), (self.messages,), vars(self)
 
 
+class ArgumentError(Error, ValueError):
+    """An error that the kernel reports about the value of an argument."""
+
+
 class VTKError(Error):
     """An error that a VTK algorithm reported.
 
@@ -68,12 +73,13 @@ class VTKError(Error):
         self.code = code
 
 
-def call(function, *arguments, issued=None, bar=Bar, check=None, **options):
+def call(function, *arguments, issued=None, bar=Bar, check=None, names=_ARGUMENTS, **options):
     """Calls a function of the kernel with a progress bar, and returns its result. Its errors become
     an Error.
 
     Warnings in the set `issued` are not repeated; others are added to the set. `bar` makes the
-    progress bar. `check` is called with the result before warnings are issued.
+    progress bar. `check` is called with the result before warnings are issued. `names` has the names
+    in errors of arguments that the caller calls differently.
     """
     shown = bar()
     name = function.__name__.replace("_", " ")
@@ -82,8 +88,13 @@ def call(function, *arguments, issued=None, bar=Bar, check=None, **options):
             *arguments, progress=lambda fraction: shown.show(name, fraction), **options
         )
     except _kernel.Error as error:
-        parameter = _ARGUMENTS.get(error.parameter, error.parameter)
-        raise Error([in_arguments(error.message)], parameter, error.index, error.code) from None
+        parameter = names.get(error.parameter, error.parameter)
+        is_argument = error.code == "InvalidInput" and error.parameter in options
+        kind = ArgumentError if is_argument else Error
+        text = in_arguments(error.message, names)
+        raise kind([text], parameter, error.index, error.code) from None
+    except ValueError as error:
+        raise ValueError(in_arguments(str(error), names)) from None
     finally:
         shown.close()
     if check is not None:
@@ -113,9 +124,9 @@ def render(text, name_of, arrays, quote=""):
     return re.sub(r"\A[a-z]\w*(?=: )", lambda match: name_of(match[0]), text)
 
 
-def in_arguments(text):
+def in_arguments(text, names=_ARGUMENTS):
     """Returns a message of the kernel with the names of arguments of the package."""
-    return render(text, lambda name: _ARGUMENTS.get(name, name), "on the mesh", "`")
+    return render(text, lambda name: names.get(name, name), "on the mesh", "`")
 
 
 def depth_of_package():

@@ -84,7 +84,7 @@ class Scene:
         if surface.GetNumberOfPoints() == 0:
             raise ValueError("there are no points to explore")
         if accuracy is not None:
-            arguments.accuracy(accuracy)
+            call(_kernel.Graph.check, accuracy=accuracy)
         self.surface = surface if is_cloud else _triangles_of(surface)
         # Without arrays, which isolines would interpolate.
         self._mesh, _ = meshes.take(structure_of(self.surface))

@@ -11,7 +11,7 @@ import numpy as np
 from . import _kernel, arguments, meshes
 from .errors import call
 from .graph_data import require_graph
-from .graph_info import MESH_CONSTRUCTIONS, arrays_of, find_info, merging
+from .graph_info import arrays_of, find_info, merging
 from .queries import Queries
 from .results import Isoline, Loop, lines_of
 
@@ -106,17 +106,12 @@ class Graph(Queries):
         surface, _ = meshes.take(points, triangles)
         if surface.number_of_points == 0:
             raise ValueError("points: expected at least one, got none")
-        options = {}
-        if accuracy is not None:
-            options["accuracy"] = arguments.accuracy(accuracy)
-        if construction not in (None, *MESH_CONSTRUCTIONS):
-            known = ", ".join(MESH_CONSTRUCTIONS)
-            raise ValueError(f"construction: expected one of {known}, got {construction!r}")
-        if construction is not None:
-            options["construction"] = construction
-        if number_of_neighbors is not None:
-            count = arguments.integer(number_of_neighbors, "number_of_neighbors")
-            options["number_of_neighbors"] = count
+        options = {
+            "accuracy": accuracy,
+            "construction": construction,
+            "number_of_neighbors": number_of_neighbors,
+        }
+        options = {name: value for name, value in options.items() if value is not None}
         limit = arguments.number_of_bytes(memory_limit, "memory_limit")
         how = merge_coincident_points, merge_tolerance
         self._find_or_build(surface, how, limit, options, must_match=bool(options))
@@ -147,7 +142,7 @@ class Graph(Queries):
     def _of(cls, mesh, accuracy, is_merged):
         """Returns the graph on a mesh, with a warning if it is coarser, or else builds one."""
         graph = cls.__new__(cls)
-        options = {} if accuracy is None else {"accuracy": arguments.accuracy(accuracy)}
+        options = {} if accuracy is None else {"accuracy": accuracy}
         graph._find_or_build(meshes.take(mesh)[0], (is_merged, 0.0), 0, options, False)
         return graph
 
@@ -280,7 +275,7 @@ class Graph(Queries):
             None if points is None else self._points(points, "points").in_kernel(),
             mode=mode,
             taut=bool(taut),
-            projection_tolerance=arguments.projection_tolerance(projection_tolerance),
+            projection_tolerance=projection_tolerance,
         )
         return loops
 

@@ -5,8 +5,6 @@
 from . import _kernel, arguments
 
 PREFIX = "DGG."
-MESH_CONSTRUCTIONS = ("Guaranteed", "OneRelay", "Indirect", "SaddleVertexGraph")
-SCHEMES = ("A", "B", "C")
 
 
 def arrays_of(field_data):
@@ -51,7 +49,7 @@ def choose_method(method, accuracy, surface, methods):
 
 def merging(is_merged, tolerance, info=None):
     """Returns how points are merged: as given, or else as in the graph with these parameters."""
-    tolerance = arguments.limit(tolerance, "merge_tolerance")
+    tolerance = arguments.number(tolerance, "merge_tolerance")
     if info is not None and info.merge_coincident_points and not is_merged:
         return True, info.merge_tolerance
     return bool(is_merged), tolerance

@@ -67,7 +67,6 @@ class Matrices(GraphData):
             As for `distance`; an Error also when the matrix, or a block of it, would take more
             memory than `memory_limit`.
         """
-        unreached = arguments.number(unreached, "unreached")
         rows = self._points(rows, "rows")
         columns = None if columns is None else self._points(columns, "columns")
         shape = len(rows), len(rows if columns is None else columns)
@@ -77,7 +76,7 @@ class Matrices(GraphData):
         dtype = np.dtype(np.float64 if dtype is None else dtype)
         options = {
             "unreached_value": unreached,
-            "projection_tolerance": arguments.projection_tolerance(projection_tolerance),
+            "projection_tolerance": projection_tolerance,
         }
         if out is None and dtype == np.float64:
             return self._block(rows, columns, **options)
@@ -142,9 +141,8 @@ class Matrices(GraphData):
         """
         csr_matrix = self._csr_matrix("Graph.sparse_matrix")
         n = self.number_of_points
-        radius = arguments.limit(maximum_distance, "maximum_distance")
         rows = self._points(np.arange(n) if rows is None else rows, "rows")
-        offsets, columns, distances = self._rows(rows, radius, False, projection_tolerance)
+        offsets, columns, distances = self._rows(rows, maximum_distance, False, projection_tolerance)
         keep = columns != np.repeat(rows.point_ids, np.diff(offsets))
         offsets = np.concatenate([[0], np.cumsum(keep)])[offsets]
         return csr_matrix((distances[keep], columns[keep], offsets), shape=(len(rows), n))
@@ -185,8 +183,9 @@ class Matrices(GraphData):
             As for `distance`.
         """
         point = arguments.surface_point(source, "source", self._surface, self.is_cloud)
-        radius = arguments.limit(radius, "radius")
-        _, ids, distances = self._rows(point, radius, bool(correction), projection_tolerance)
+        names = {"maximum_distance": "radius"}
+        found = self._rows(point, radius, bool(correction), projection_tolerance, names=names)
+        _, ids, distances = found
         order = np.argsort(distances, kind="stable")
         return ids[order].astype(np.intp), distances[order]
 
@@ -195,14 +194,15 @@ class Matrices(GraphData):
         columns = None if columns is None else columns.in_kernel()
         return self._call(self._graph.matrix, rows.in_kernel(), columns, **options)
 
-    def _rows(self, rows, radius, correction, tolerance):
+    def _rows(self, rows, radius, correction, tolerance, **options):
         """Returns offsets, columns and distances of compressed rows."""
         return self._call(
             self._graph.neighborhood,
             rows.in_kernel(),
             maximum_distance=radius,
             correction=correction,
-            projection_tolerance=arguments.projection_tolerance(tolerance),
+            projection_tolerance=tolerance,
+            **options,
         )
 
 

@@ -95,10 +95,9 @@ def path(
     end = arguments.surface_point(end, "end", surface)
     method, info = choose_method(method, accuracy, surface, ("exact", "graph"))
     how = merging(merge_coincident_points, merge_tolerance, info)
-    options = {"projection_tolerance": arguments.projection_tolerance(projection_tolerance)}
+    options = {"projection_tolerance": projection_tolerance}
     target = surface.prepared(*how, info is not None and info.is_cloud)
     if method == "graph":
-        accuracy = None if accuracy is None else arguments.accuracy(accuracy)
         stored = arrays_of(surface.field_data)
         target = call(_kernel.Graph, target, stored=stored, accuracy=accuracy)
     else:

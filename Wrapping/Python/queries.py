@@ -80,7 +80,7 @@ class Queries(Matrices):
             maximum_distance,
             initial_distances,
             projection_tolerance,
-            unreached_value=arguments.number(unreached, "unreached"),
+            unreached_value=unreached,
             correction=bool(correction),
             generate_nearest_source=True,
         )
@@ -269,23 +269,23 @@ class Queries(Matrices):
             _kernel.samples,
             self._graph,
             None if start is None else self._points(start, "start").in_kernel(),
-            number_of_samples=arguments.integer(count, "number_of_samples", 1),
+            number_of_samples=count,
             first_sample=arguments.point_id(first, "first", self.number_of_points),
-            covering_radius=arguments.limit(radius, "covering_radius"),
+            covering_radius=radius,
             in_faces=bool(in_faces),
-            projection_tolerance=arguments.projection_tolerance(projection_tolerance),
+            projection_tolerance=projection_tolerance,
         )
 
     def _divide(self, sites, iterations, projection_tolerance):
         """Returns the four results of the kernel: surface, borders, cells and moved sites."""
-        iterations = arguments.integer(iterations, "iterations", 0)
+        iterations = arguments.integer(iterations, "iterations") or 0
         return self._call(
             _kernel.voronoi,
             self._graph,
             self._points(sites, "sites").in_kernel(),
-            centroidal=iterations > 0,
+            centroidal=iterations != 0,
             number_of_iterations=iterations,
-            projection_tolerance=arguments.projection_tolerance(projection_tolerance),
+            projection_tolerance=projection_tolerance,
         )
 
     def _distance(
@@ -319,5 +319,5 @@ class Queries(Matrices):
             straighten=bool(straighten),
             detour=detour,
             memory_limit=self._memory_limit,
-            projection_tolerance=arguments.projection_tolerance(tolerance),
+            projection_tolerance=tolerance,
         )

@@ -80,11 +80,7 @@ def greens_function(
     >>> g.shape
     (642, 2)
     """
-    options = {
-        "order": _ORDERS[_order(order)],
-        "method": _choice(method, "method", _GREENS_METHODS),
-        "boundary": _choice(boundary, "boundary", _BOUNDARIES),
-    }
+    options = {"order": _ORDERS[_order(order)], "method": method, "boundary": boundary}
     surface, (sources,) = meshes.take(points, triangles, sources=sources)
     sources = arguments.surface_points(sources, "sources", surface)
     how = merge_coincident_points, merge_tolerance, projection_tolerance
@@ -161,16 +157,13 @@ def biharmonic(
     (642,)
     """
     options = {
-        "kind": _choice(kind, "kind", _KINDS),
-        "method": _choice(method, "method", ("Spectrum", "Exact")),
-        "boundary": _choice(boundary, "boundary", _BOUNDARIES),
-        "unreached_value": arguments.number(unreached, "unreached"),
+        "kind": kind,
+        "method": method,
+        "boundary": boundary,
+        "unreached_value": unreached,
+        "number_of_eigenvalues": number_of_eigenvalues,
+        "diffusion_time": diffusion_time,
     }
-    if number_of_eigenvalues is not None:
-        count = arguments.integer(number_of_eigenvalues, "number_of_eigenvalues")
-        options["number_of_eigenvalues"] = count
-    if diffusion_time is not None:
-        options["diffusion_time"] = arguments.number(diffusion_time, "diffusion_time")
     surface, (sources,) = meshes.take(points, triangles, sources=sources)
     sources = arguments.surface_points(sources, "sources", surface)
     how = merge_coincident_points, merge_tolerance, projection_tolerance
@@ -239,10 +232,9 @@ def earth_movers(
         **_distribution(surface, end, "end", "to"),
         "array_meaning": "Density" if density else "Mass",
         "normalize": bool(normalize),
-        "projection_tolerance": arguments.projection_tolerance(projection_tolerance),
+        "projection_tolerance": projection_tolerance,
+        "tolerance": tolerance,
     }
-    if tolerance is not None:
-        options["tolerance"] = arguments.limit(tolerance, "tolerance")
     prepared = surface.prepared(*merging(merge_coincident_points, merge_tolerance))
     result = call(_kernel.earth_movers_distance, prepared, **options)
     if as_polydata:
@@ -316,7 +308,7 @@ def interpolate(
     """
     options = {
         "order": ("Harmonic", "Biharmonic")[_order(order) - 1],
-        "boundary": _choice(boundary, "boundary", _BOUNDARIES),
+        "boundary": boundary,
     }
     surface, (sites, values) = meshes.take(points, triangles, sites=sites, values=values)
     sites = arguments.surface_points(sites, "sites", surface)
@@ -332,9 +324,6 @@ def interpolate(
     return found.answer("Interpolation", as_polydata)
 
 
-_BOUNDARIES = ("Neumann", "Dirichlet")
-_GREENS_METHODS = ("SingularitySubtraction", "Localized", "Interpolated", "Vertex")
-_KINDS = ("Biharmonic", "CommuteTime", "Diffusion")
 _ORDERS = {1: "Laplace", 2: "BiLaplace"}
 
 
@@ -342,13 +331,6 @@ def _order(value):
     if isinstance(value, bool) or value not in (1, 2):
         raise ValueError(f"order: expected 1 or 2, got {value!r}")
     return int(value)
-
-
-def _choice(value, name, known):
-    """Returns one of some names."""
-    if value not in known:
-        raise ValueError(f"{name}: expected one of {', '.join(known)}, got {value!r}")
-    return value
 
 
 class _Solution:
@@ -377,7 +359,7 @@ def _solve(function, surface, sources, at, how, **options):
         at = arguments.surface_points(at, "at", surface)
         options["evaluation"] = at.in_kernel()
     prepared = surface.prepared(*merging(is_merged, merge_tolerance))
-    options["projection_tolerance"] = arguments.projection_tolerance(projection_tolerance)
+    options["projection_tolerance"] = projection_tolerance
     sources = sources if isinstance(sources, dict) else sources.in_kernel()
     return _Solution(surface, call(function, prepared, sources, **options), at)
 

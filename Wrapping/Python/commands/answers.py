@@ -324,8 +324,7 @@ def path(options):
 def exact_input(options, contents):
     """Returns a surface, that of the kernel, and the tolerance of points as an option."""
     surface, _ = meshes.take(contents)
-    tolerance = arguments.projection_tolerance(options.tolerance)
-    return surface, surface.prepared(options.merge), {"projection_tolerance": tolerance}
+    return surface, surface.prepared(options.merge), {"projection_tolerance": options.tolerance}
 
 
 def loop(options):

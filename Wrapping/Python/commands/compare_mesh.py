@@ -7,7 +7,6 @@ import time
 
 import vtkdgg
 
-from .. import arguments
 from ..checks import counted
 from ..vtk_data import structure_of, triangulated, with_arrays
 from . import bounds, places
@@ -130,7 +129,6 @@ def on_mesh(options, contents, read_time):
     elif isinstance(source, tuple):
         source = places.in_triangles(source, contents)
     accuracy = DEFAULT_ACCURACY if options.accuracy is None else options.accuracy
-    arguments.accuracy(accuracy)
     location, corners = places.locate(mesh, source)
 
     plain = structure_of(mesh)  # without any graph

@@ -37,12 +37,7 @@ def choose(text, contents, name="--source", only_ids=False):
     except ValueError:
         known = "" if only_ids else ", X,Y,Z or face:ID:B0,B1,B2"
         raise ValueError(f"{name} {text or repr(text)}: expected a point id{known}") from None
-    surface, _ = meshes.take(contents)
-    if isinstance(source, tuple):
-        arguments.surface_point(source, f"{name} {text}", surface)
-    count = surface.number_of_points
-    if isinstance(source, int) and not 0 <= source < count:
-        raise ValueError(f"{name} {source}: expected a point id from 0 to {count - 1}")
+    arguments.surface_point(source, f"{name} {text}", meshes.take(contents)[0])
     return source
 
 

@@ -16,7 +16,7 @@ namespace
 [[noreturn]] void Refuse(const char* name, const char* expected, const py::object& got)
 {
   PyErr_Clear();
-  throw py::type_error(
+  throw py::value_error(
     std::string(name) + ": expected " + expected + ", got " + py::cast<std::string>(py::repr(got)));
 }
 }

@@ -33,7 +33,7 @@ public:
   py::object Take(const char* name);
 
   ///@{
-  /// Throw a TypeError or a ValueError for an object that is not such a value.
+  /// Throw a ValueError for an object that is not such a value.
   void Read(const char* name, bool& value);
   void Read(const char* name, std::int32_t& value);
   void Read(const char* name, dgg::Offset& value);
@@ -60,7 +60,7 @@ public:
       }
       names += std::string(names.empty() ? "\"" : ", \"") + choice + "\"";
     }
-    if (!text.empty())
+    if (this->Take(name))
     {
       throw py::value_error(
         std::string(name) + ": expected one of " + names + ", got \"" + text + "\"");

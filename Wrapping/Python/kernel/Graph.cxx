@@ -374,6 +374,15 @@ void AddGraph(py::module_& module)
         return Graph::Read(call, surface, arrays);
       },
       py::arg("surface"), py::arg("arrays"), FromArraysDocumentation)
+    .def_static(
+      "check",
+      [](const py::kwargs& keywords) {
+        Arguments arguments(keywords);
+        const Call call(arguments);
+        ReadOptions(arguments);
+        arguments.Finish();
+      },
+      "Raises an Error if the accuracy, the construction or the number of neighbors is wrong.")
     .def_static("estimate", &EstimateGraph, py::arg("surface"), EstimateDocumentation)
     .def("lines", &GetLines, LinesDocumentation)
     .def("release", &Graph::Release, "Releases the data that calls on this graph reuse.")
