@@ -14,16 +14,15 @@ from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
 
 from . import _kernel as kernel
 from .python_filters import TimeStamps, integers_of, property_of
-from .vtk_data import cells_of, shallow_copy
-from .vtk_input import graph_arrays, ids_of, numbers, surface_points, windows_of
+from .results import GRAPH_ARRAYS
+from .vtk_data import cells_of, ids_of, shallow_copy, values_of
+from .vtk_input import graph_arrays, numbers, surface_points, windows_of
 from .vtk_output import (
-    GRAPH_ARRAYS,
     add_result,
     pass_arrays,
     polydata_of_result,
     remove_graph,
     remove_windows,
-    values_of,
     vtk_array,
     vtk_array_like,
 )

@@ -8,9 +8,9 @@ from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 from . import _kernel as kernel
 from .filter_tasks import TASKS, new_outputs, task
-from .vtk_data import named_arrays
-from .vtk_input import ids_of, numbers
-from .vtk_output import values_of, with_result
+from .vtk_data import ids_of, named_arrays, values_of
+from .vtk_input import numbers
+from .vtk_output import with_result
 
 __all__ = ["TASKS"]
 

@@ -16,6 +16,12 @@ if TYPE_CHECKING:
 
 __all__ = ["EarthMovers", "Isoline", "Loop", "Path", "Samples", "Voronoi"]
 
+GRAPH_ARRAYS = tuple(
+    f"DGG.{role}"
+    for role in ("Offsets", "Targets", "Lengths", "Angles", "ArrivalAngles", "Radii", "Info")
+)
+WINDOW_ARRAYS = (".WindowOffsets", ".Windows", ".WindowSources", ".WindowInfo")
+
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
 class Path:
@@ -193,6 +199,21 @@ class EarthMovers:
 
     def __repr__(self) -> str:
         return f"<vtkdgg.EarthMovers: distance {self.distance:g}>"
+
+
+def is_on_input(result):
+    """Returns true if a result consists of arrays on the points or the cells of the input."""
+    has_rows = any(len(values) for values in result.point_data.values())
+    return len(result.points) == 0 and has_rows
+
+
+def window_arrays(names, distances=None):
+    """Returns the names of the field arrays that contain the windows of a distance array, or all
+    windows for None. `names` are the names of all field arrays."""
+    info = WINDOW_ARRAYS[-1]
+    found = [name[: -len(info)] for name in names if name.endswith(info) and name != info]
+    prefixes = found if distances is None else [distances]
+    return [f"{prefix}{suffix}" for prefix in prefixes for suffix in WINDOW_ARRAYS]
 
 
 def surface_points_of(arrays):

@@ -12,7 +12,7 @@ from .data_set import ATTRIBUTES, DataSet
 from .errors import Error, call, needing_vtk
 from .graph_info import arrays_of
 from .mesh import Mesh
-from .vtk_output import GRAPH_ARRAYS, is_on_input, window_arrays
+from .results import GRAPH_ARRAYS, is_on_input, window_arrays
 
 _NORMALS, _SCALARS = ATTRIBUTES.index("normals"), ATTRIBUTES.index("scalars")
 # Keys of a state that can be pickled, and the corresponding cells and arrays of a DataSet.

@@ -6,7 +6,12 @@ module imports VTK."""
 import warnings
 
 import numpy as np
-from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray, vtk_to_numpy
+from vtkmodules.util.numpy_support import (
+    get_vtk_to_numpy_typemap,
+    numpy_to_vtk,
+    numpy_to_vtkIdTypeArray,
+    vtk_to_numpy,
+)
 from vtkmodules.vtkCommonCore import VTK_BIT, reference, vtkIdList, vtkPoints
 from vtkmodules.vtkCommonDataModel import (
     VTK_CONVEX_POINT_SET,
@@ -147,7 +152,7 @@ def data_set_of(polydata):
     if polydata.GetPoints():
         data.points = np.array(vtk_to_numpy(polydata.GetPoints().GetData()))
     for name, kind in zip(data.cells, CELLS):
-        data.cells[name] = tuple(map(np.array, _ids_of(getattr(polydata, f"Get{kind}")())))
+        data.cells[name] = tuple(map(np.array, ids_of(getattr(polydata, f"Get{kind}")())))
     data.point_data = named_arrays(polydata.GetPointData())
     data.cell_data = named_arrays(polydata.GetCellData())
     data.field_data = named_arrays(polydata.GetFieldData())
@@ -236,7 +241,7 @@ def surface_of(data, name):
     result = configured(vtkPolyData(), Points=data.GetPoints())
     ids = found.GetPointData().GetArray(name_of_ids)
     for kind in CELLS:
-        offsets, corners = _ids_of(getattr(found, f"Get{kind}")())
+        offsets, corners = ids_of(getattr(found, f"Get{kind}")())
         if len(corners):
             getattr(result, f"Set{kind}")(cells_of(offsets, vtk_to_numpy(ids)[corners]))
     result.GetPointData().ShallowCopy(data.GetPointData())
@@ -261,7 +266,22 @@ def shared_array(values, name):
 
 def named_arrays(data):
     """Returns the arrays of numbers that have a name, as NumPy arrays by name."""
-    return {a.GetName(): vtk_to_numpy(a) for a in _numeric(data) if a.GetName()}
+    arrays = [data.GetAbstractArray(i) for i in range(data.GetNumberOfArrays())]
+    found = {array.GetName(): values_of(array) for array in arrays if array.GetName()}
+    return {name: values for name, values in found.items() if values is not None}
+
+
+def values_of(array):
+    """Returns the numbers of a VTK array, without a copy where possible; None for other arrays, of
+    texts or bits, and if the array is None."""
+    types = get_vtk_to_numpy_typemap()
+    is_number = array is not None and array.GetDataType() in types
+    return vtk_to_numpy(array) if is_number and array.GetDataType() != VTK_BIT else None
+
+
+def ids_of(cells):
+    """Returns offsets and point ids of a vtkCellArray, without a copy."""
+    return values_of(cells.GetOffsetsArray()), values_of(cells.GetConnectivityArray())
 
 
 def cells_of(*arrays):
@@ -331,19 +351,6 @@ def _is_size(kind, size):
         return any(_OF_ORDER[kind](n) == size for n in range(2, 12))
     cell = vtkGenericCell.InstantiateCell(kind) if 0 <= kind < VTK_NUMBER_OF_CELL_TYPES else None
     return cell is not None and kind != VTK_CONVEX_POINT_SET and size == cell.GetNumberOfPoints()
-
-
-def _ids_of(cells):
-    """Returns offsets and corners of a vtkCellArray, without a copy."""
-    return tuple(
-        vtk_to_numpy(array) for array in (cells.GetOffsetsArray(), cells.GetConnectivityArray())
-    )
-
-
-def _numeric(data):
-    """Returns the arrays of numbers, without those of bits."""
-    arrays = (data.GetArray(i) for i in range(data.GetNumberOfArrays()))
-    return [a for a in arrays if a is not None and a.GetDataType() != VTK_BIT]
 
 
 def _one_of_each_type(data):

@@ -1,15 +1,11 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Objects of the VTK that is loaded as arguments of the kernel. This module imports no VTK."""
+"""Objects of the VTK that is loaded as arguments of the kernel. This module imports VTK."""
 
 import numpy as np
 
-from .vtk_output import GRAPH_ARRAYS, WINDOW_ARRAYS, values_of
-
-
-def ids_of(cells):
-    """Returns offsets and point ids of a vtkCellArray."""
-    return values_of(cells.GetOffsetsArray()), values_of(cells.GetConnectivityArray())
+from .results import GRAPH_ARRAYS, WINDOW_ARRAYS
+from .vtk_data import ids_of, values_of
 
 
 def surface_arguments(polydata):

@@ -1,14 +1,25 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Results of the kernel as vtkPolyData of the VTK that is loaded. Imports VTK at the first call."""
+"""Results of the kernel as vtkPolyData of the VTK that is loaded. This module imports VTK."""
 
 import numpy as np
-
-GRAPH_ARRAYS = tuple(
-    f"DGG.{role}"
-    for role in ("Offsets", "Targets", "Lengths", "Angles", "ArrivalAngles", "Radii", "Info")
+from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.vtkCommonCore import (
+    VTK_DOUBLE,
+    VTK_FLOAT,
+    VTK_ID_TYPE,
+    vtkAbstractArray,
+    vtkDataArray,
+    vtkIdList,
+    vtkPoints,
+    vtkTypeInt32Array,
+    vtkTypeInt64Array,
 )
-WINDOW_ARRAYS = (".WindowOffsets", ".Windows", ".WindowSources", ".WindowInfo")
+from vtkmodules.vtkCommonDataModel import vtkDataSetAttributes, vtkPolyData
+
+from .results import GRAPH_ARRAYS, WINDOW_ARRAYS, is_on_input, window_arrays
+from .vtk_data import cells_of, shallow_copy, values_of
+
 # Values of OutputPointsPrecision.
 SINGLE_PRECISION, DOUBLE_PRECISION, DEFAULT_PRECISION = range(3)
 
@@ -32,10 +43,6 @@ def polydata_of_result(result, polydata, precision=DOUBLE_PRECISION):
     """
     if is_on_input(result):
         return with_result(result, polydata)
-    from vtkmodules.vtkCommonDataModel import vtkPolyData
-
-    from .vtk_data import cells_of
-
     output = vtkPolyData()
     output.GetFieldData().PassData(polydata.GetFieldData())
     remove_graph(output)
@@ -52,16 +59,8 @@ def polydata_of_result(result, polydata, precision=DOUBLE_PRECISION):
     return output
 
 
-def is_on_input(result):
-    """Returns true if a result consists of arrays on the points or the cells of the input."""
-    has_rows = any(len(values) for values in result.point_data.values())
-    return len(result.points) == 0 and has_rows
-
-
 def with_result(result, polydata):
     """Returns a shallow copy of a vtkPolyData with the arrays of a result."""
-    from .vtk_data import shallow_copy
-
     output = shallow_copy(polydata)
     add_result(result, output)
     return output
@@ -92,33 +91,10 @@ def remove_windows(polydata, distances=None):
         data.RemoveArray(name)
 
 
-def window_arrays(names, distances=None):
-    """Returns the names of the field arrays that contain the windows of a distance array, or all
-    windows for None. `names` are the names of all field arrays."""
-    info = WINDOW_ARRAYS[-1]
-    found = [name[: -len(info)] for name in names if name.endswith(info) and name != info]
-    prefixes = found if distances is None else [distances]
-    return [f"{prefix}{suffix}" for prefix in prefixes for suffix in WINDOW_ARRAYS]
-
-
-def values_of(array):
-    """Returns the numbers of a VTK array, without a copy where possible; None for other arrays, of
-    texts or bits, and if the array is None."""
-    from vtkmodules.util.numpy_support import get_vtk_to_numpy_typemap, vtk_to_numpy
-    from vtkmodules.vtkCommonCore import VTK_BIT
-
-    types = get_vtk_to_numpy_typemap()
-    is_number = array is not None and array.GetDataType() in types
-    return vtk_to_numpy(array) if is_number and array.GetDataType() != VTK_BIT else None
-
-
 def vtk_array(values, name=None, is_stored=False):
     """Returns a copy of an array of the type that filters use for results, or for integers of
     graphs and windows. Memory is not shared, because shallow copies of an array by VTK do not keep
     NumPy's memory alive."""
-    from vtkmodules.util.numpy_support import numpy_to_vtk
-    from vtkmodules.vtkCommonCore import VTK_ID_TYPE, vtkTypeInt32Array, vtkTypeInt64Array
-
     values = np.ascontiguousarray(values)
     is_stored |= name in GRAPH_ARRAYS or (name or "").endswith(WINDOW_ARRAYS)
     if is_stored and values.dtype.kind == "i":
@@ -135,8 +111,6 @@ def vtk_array(values, name=None, is_stored=False):
 def vtk_array_like(array, rows, first=0, first_tuple=0, missing=np.nan):
     """Returns an array whose tuple i is the tuple `first_tuple + rows[i] - first` of another array;
     without such a tuple `missing` if it has floats, otherwise 0 or the empty string."""
-    from vtkmodules.vtkCommonCore import VTK_DOUBLE, VTK_FLOAT, vtkAbstractArray, vtkDataArray
-
     found = vtkAbstractArray.CreateArray(array.GetDataType())
     found.SetName(array.GetName())
     found.SetNumberOfComponents(array.GetNumberOfComponents())
@@ -154,8 +128,6 @@ def vtk_array_like(array, rows, first=0, first_tuple=0, missing=np.nan):
 def pass_arrays(points, first, nearest, output):
     """Adds the point arrays of sources to an output, whose row i has the values of the point
     `nearest[i] - first`. Arrays of the output with the same names are kept."""
-    from vtkmodules.vtkCommonDataModel import vtkDataSetAttributes
-
     if points is None:
         return
     # Ghost flags and identities describe the source, not the points nearest to it.
@@ -170,8 +142,6 @@ def pass_arrays(points, first, nearest, output):
 
 def _points(coordinates, of_input, precision):
     """Returns vtkPoints of a precision. `of_input` may be None."""
-    from vtkmodules.vtkCommonCore import VTK_FLOAT, vtkPoints
-
     largest = np.abs(coordinates).max(initial=0.0)
     limits = np.finfo(np.float32)
     if precision == SINGLE_PRECISION and largest != 0 and not limits.tiny <= largest <= limits.max:
@@ -201,10 +171,6 @@ def _of_size(data, tuples):
 
 def _ids(values):
     """Returns integers as a vtkIdList."""
-    from vtkmodules.vtkCommonCore import vtkIdList
-
-    from .vtk_data import cells_of
-
     ids = vtkIdList()
     # A cell array fills the list without a loop in Python.
     cells_of(np.array([0, len(values)]), values).GetCellAtId(0, ids)
