@@ -275,7 +275,7 @@ def state(algorithm, name):
 def values_of(kind, python):
     """Returns the names of results that both classes of a filter have."""
     entries = (python_filters.TABLE.get(base.__name__, {}) for base in kind.__mro__)
-    return {name for entry in entries for name in entry.get("values", ())} - set(python.unknown)
+    return {name for entry in entries for name in entry.get("values", ())} - set(python.unavailable)
 
 
 @needs_compiled
@@ -377,7 +377,7 @@ class Properties(unittest.TestCase):
         for kind, python in FILTERS:
             missing = [n for n in dir(kind) if n[0] != "_" and not hasattr(python, n)]
             missing = {name for name in missing if not name.endswith("Type")}
-            others = {f"Get{name}" for name in python.unknown if hasattr(kind, f"Get{name}")}
+            others = {f"Get{name}" for name in python.unavailable if hasattr(kind, f"Get{name}")}
             if kind.__name__ == "vtkPointCloudDGG":
                 others.add("EstimateMemory")
             self.assertEqual(missing, NOT_SERVED | others)

@@ -73,9 +73,9 @@ class SurfacePoints:
 
     def in_kernel(self):
         """Returns the points as functions of the kernel take them."""
-        return self.point_ids if self.are_ids else self.in_place()
+        return self.point_ids if self.are_ids else self.by_position()
 
-    def in_place(self):
+    def by_position(self):
         """Returns the points by their coordinates, as functions of the kernel take them."""
         return {"points": self.positions(), **self.identities()}
 

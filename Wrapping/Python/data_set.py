@@ -9,7 +9,7 @@ from .mesh import Mesh, checked_cells, unpacked
 
 POLYHEDRON = 42  # VTK_POLYHEDRON
 # VTK ends the process on cells of POLYDATA with fewer corners.
-LEAST_CORNERS = {"verts": 1, "lines": 2, "polygons": 3, "strips": 3}
+MINIMUM_CORNERS = {"verts": 1, "lines": 2, "polygons": 3, "strips": 3}
 # Kinds of active arrays, by their index in vtkDataSetAttributes.
 ATTRIBUTES = (
     "scalars", "vectors", "normals", "tcoords", "tensors", "globalids", "pedigreeids", "edgeflag",
@@ -55,7 +55,7 @@ class DataSet:
     def __init__(self, kind):
         self.kind = kind
         self.points = np.zeros((0, 3))
-        names = LEAST_CORNERS if kind == "POLYDATA" else ("cells",)
+        names = MINIMUM_CORNERS if kind == "POLYDATA" else ("cells",)
         self.cells = dict.fromkeys(names, (np.zeros(1, dtype=int), np.zeros(0, dtype=int)))
         self.types = np.zeros(0, dtype=int)
         self.faces = {}
@@ -101,10 +101,10 @@ class DataSet:
     def remove_degenerate(self):
         """Removes cells of POLYDATA with too few corners, and returns their number."""
         kept = []
-        for name, least in LEAST_CORNERS.items():
+        for name, minimum in MINIMUM_CORNERS.items():
             offsets, corners = checked_cells(self.cells[name], name, len(self.points))
             sizes = np.diff(offsets)
-            kept.append(sizes >= least)
+            kept.append(sizes >= minimum)
             if not kept[-1].all():
                 ends = np.cumsum(sizes[kept[-1]])
                 self.cells[name] = np.append(0, ends), corners[np.repeat(kept[-1], sizes)]

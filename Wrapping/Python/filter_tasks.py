@@ -28,7 +28,7 @@ from .vtk_output import (
 )
 
 DISTANCE = "GeodesicDistance"
-MOST_COLUMNS = 10000  # of a table
+MAXIMUM_COLUMNS = 10000  # of a table
 TASKS = {}
 
 
@@ -154,13 +154,13 @@ class vtkVirtualSourceGeodesicDistance:
 @task
 class vtkHeatGeodesicDistance:
     solver = kernel.heat_distance
-    unknown = ("MemorySize", "NumberOfFactorizations")
+    unavailable = ("MemorySize", "NumberOfFactorizations")
 
 
 @task
 class vtkDGGFastMarchingDistance:
     solver = kernel.fast_marching_distance
-    unknown = ("UsedBandRadius", "UsedResolution")
+    unavailable = ("UsedBandRadius", "UsedResolution")
 
     def is_cloud(self, polydata):
         return polydata.GetNumberOfPolys() + polydata.GetNumberOfStrips() == 0
@@ -205,7 +205,7 @@ class vtkDGGPath:
     def _ids(self):
         return getattr(self, "_pairs", [])
 
-    def forgotten(self):
+    def initial_results(self):
         return {"NumberOfFallbacks": 0}
 
     def run(self, polydata):
@@ -305,7 +305,7 @@ class vtkGeodesicDistanceMatrix:
         self.set_results(Matrix=None)
         self.GetOutputDataObject(0).ReleaseData()
 
-    def forgotten(self):
+    def initial_results(self):
         return {"Matrix": None}
 
     def run(self, polydata):
@@ -338,10 +338,10 @@ class vtkGeodesicDistanceMatrix:
 
     def _table(self, matrix):
         count = matrix.size // len(matrix)
-        if count > MOST_COLUMNS:
+        if count > MAXIMUM_COLUMNS:
             self.warn(
-                f"The table would have {count} columns, more than {MOST_COLUMNS}, so the output is "
-                "empty. Use GetMatrix(), and turn off GenerateTable"
+                f"The table would have {count} columns, more than {MAXIMUM_COLUMNS}, so the output "
+                "is empty. Use GetMatrix(), and turn off GenerateTable"
             )
             return vtkTable()
         table = vtkTable()
@@ -382,7 +382,7 @@ class vtkGeodesicPatchBoundaries:
         return new_outputs(self, results, [polydata, second])
 
 
-class _OfDistances:
+class _DistanceArrayFilter:
     """A filter of an array of distances."""
 
     def field(self, polydata):
@@ -442,8 +442,8 @@ class _OfDistances:
 
 
 @task
-class vtkApolloniusIsolines(_OfDistances):
-    def forgotten(self):
+class vtkApolloniusIsolines(_DistanceArrayFilter):
+    def initial_results(self):
         return {"NumberOfFallbacks": 0, "UsedVirtualSources": False, "UsedWindows": False}
 
     def SetValue(self, i, value):
@@ -501,7 +501,7 @@ class vtkApolloniusIsolines(_OfDistances):
 
 
 @task
-class vtkGeodesicProbe(_OfDistances):
+class vtkGeodesicProbe(_DistanceArrayFilter):
     def run(self, polydata):
         probes = self.input(1)
         distances, field = self.field(polydata)
@@ -514,10 +514,10 @@ class vtkGeodesicProbe(_OfDistances):
         return [output]
 
 
-class _BuildsGraph:
+class _GraphBuilder:
     """A filter that builds a graph and predicts its size."""
 
-    def forgotten(self):
+    def initial_results(self):
         return {"NumberOfGraphEdges": 0, "MeanDegree": 0.0, "MemorySize": 0, "InputGraphDamage": ""}
 
     def ReleaseGraph(self):
@@ -548,7 +548,7 @@ class _BuildsGraph:
 
 
 @task
-class vtkDiscreteGeodesicGraph(_BuildsGraph):
+class vtkDiscreteGeodesicGraph(_GraphBuilder):
     def EstimateMemory(self):
         """Predicts the memory of the graph. Returns the number of bytes, 0 after an error."""
         if self.GetNumberOfInputConnections(0):
@@ -593,7 +593,7 @@ class vtkDiscreteGeodesicGraph(_BuildsGraph):
 
 
 @task
-class vtkPointCloudDGG(_BuildsGraph):
+class vtkPointCloudDGG(_GraphBuilder):
     def is_cloud(self, polydata):
         return True
 

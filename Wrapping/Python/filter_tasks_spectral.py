@@ -19,7 +19,7 @@ __all__ = ["TASKS"]
 class vtkSpectralAlgorithm:
     """A function of each source. Subclasses have `solver`, a function of the kernel."""
 
-    unknown = ("MemorySize", "NumberOfColumns", "NumberOfFactorizations", "NumberOfSpectra")
+    unavailable = ("MemorySize", "NumberOfColumns", "NumberOfFactorizations", "NumberOfSpectra")
 
     def RemoveAllSources(self):
         """Removes all ids and disconnects input port 1."""
@@ -34,11 +34,11 @@ class vtkSpectralAlgorithm:
         results = type(self).solver(self.surface, sources, **arguments)
         self.warn_about(results)
         self.keep(results[0])
-        places = self.input(2)
-        if places is None:
-            places = vtkPolyData()
-            places.GetFieldData().PassData(polydata.GetFieldData())
-        return [with_result(r, i) for r, i in zip(results, (polydata, places))]
+        points = self.input(2)
+        if points is None:
+            points = vtkPolyData()
+            points.GetFieldData().PassData(polydata.GetFieldData())
+        return [with_result(r, i) for r, i in zip(results, (polydata, points))]
 
     def solver_arguments(self, polydata):
         return self.arguments()
@@ -106,9 +106,9 @@ class vtkHarmonicBSpline:
 
 @task
 class vtkSurfaceEarthMoversDistance:
-    unknown = ("MemorySize", "NumberOfFactorizations")
+    unavailable = ("MemorySize", "NumberOfFactorizations")
 
-    def forgotten(self):
+    def initial_results(self):
         nan = math.nan
         return {"Distance": nan, "LowerBound": nan, "Gap": nan, "NumberOfIterations": 0}
 
@@ -137,7 +137,7 @@ class vtkSurfaceEarthMoversDistance:
 
 @task
 class vtkPoissonVectorGraphics:
-    unknown = ("MemorySize", "NumberOfFactorizations")
+    unavailable = ("MemorySize", "NumberOfFactorizations")
 
     def run(self, polydata):
         lines = self.input(1)

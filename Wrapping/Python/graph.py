@@ -23,8 +23,8 @@ if TYPE_CHECKING:
 
 __all__ = ["Graph"]
 
-# Largest number of values of isolines.
-MOST_VALUES = 10_000
+# Maximum number of isovalues.
+MAXIMUM_VALUES = 10_000
 
 
 class Graph(Queries):
@@ -191,8 +191,8 @@ class Graph(Queries):
         if array.size == 0:
             raise ValueError("values: expected at least one, got none")
         count = int(array) if is_number else array.size
-        if count > MOST_VALUES:
-            raise ValueError(f"values: expected at most {MOST_VALUES}, got {count}")
+        if count > MAXIMUM_VALUES:
+            raise ValueError(f"values: expected at most {MAXIMUM_VALUES}, got {count}")
         if not is_number:
             array = arguments.finite_numbers(values, "values", array.size)
         field = self._field(sources, initial_distances, projection_tolerance)

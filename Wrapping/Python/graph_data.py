@@ -184,5 +184,5 @@ def require_graph(polydata, is_cloud):
     except _kernel.Error as error:
         raise ValueError(f"polydata: {in_arguments(error.message)}") from None
     if info.is_cloud != is_cloud:
-        kind = "a point cloud: see vtkdgg.CloudGraph" if info.is_cloud else "a mesh: see vtkdgg.Graph"
-        raise ValueError(f"polydata: its graph is that of {kind}")
+        kind, name = ("point cloud", "CloudGraph") if info.is_cloud else ("mesh", "Graph")
+        raise ValueError(f"polydata: its graph is that of a {kind}: see vtkdgg.{name}")

@@ -142,7 +142,8 @@ class Matrices(GraphData):
         csr_matrix = self._csr_matrix("Graph.sparse_matrix")
         n = self.number_of_points
         rows = self._points(np.arange(n) if rows is None else rows, "rows")
-        offsets, columns, distances = self._rows(rows, maximum_distance, False, projection_tolerance)
+        found = self._rows(rows, maximum_distance, False, projection_tolerance)
+        offsets, columns, distances = found
         keep = columns != np.repeat(rows.point_ids, np.diff(offsets))
         offsets = np.concatenate([[0], np.cumsum(keep)])[offsets]
         return csr_matrix((distances[keep], columns[keep], offsets), shape=(len(rows), n))

@@ -120,9 +120,9 @@ class Mesh:
         return f"<vtkdgg.Mesh: {', '.join([counted(len(self.points), 'point'), *parts])}>"
 
 
-def checked_cells(pair, name, number_of_points, least=0):
-    """Checks offsets and corners, and returns them as int64. `least` is the number of corners that
-    each cell must have."""
+def checked_cells(pair, name, number_of_points, minimum=0):
+    """Checks offsets and corners, and returns them as int64. Each cell must have at least `minimum`
+    corners."""
     offsets, corners = (numbers(part, name, "integer") for part in pair)
     check_ids(corners, number_of_points, name)
     offsets, corners = offsets.astype(np.int64), corners.astype(np.int64).ravel()
@@ -132,9 +132,9 @@ def checked_cells(pair, name, number_of_points, least=0):
         raise ValueError(
             f"{name}: expected offsets that rise from 0 to the number of corners, {len(corners)}"
         )
-    if len(sizes) and sizes.min() < least:
+    if len(sizes) and sizes.min() < minimum:
         kind = "polygon" if name == "triangles" else name[:-1]
-        raise ValueError(f"{name}: a {kind} has {sizes.min()} corners; expected at least {least}")
+        raise ValueError(f"{name}: a {kind} has {sizes.min()} corners; expected at least {minimum}")
     return offsets, corners
 
 

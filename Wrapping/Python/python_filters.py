@@ -29,7 +29,7 @@ NO_LIMIT = 1e299  # VTK_DOUBLE_MAX
 # Progress when the surface is prepared.
 PREPARED = 0.1
 # Properties that are not arguments of functions of the kernel.
-_OF_FILTERS = {
+_FILTER_PROPERTIES = {
     "AcceptCoarserGraph", "GatherLimit", "MemoryLimit", "MergeCoincidentPoints", "MergeTolerance",
     "OutputPointsPrecision",
 }  # fmt: skip
@@ -55,7 +55,7 @@ class PythonFilter(VTKPythonAlgorithmBase):
     properties = {}
     input_names = None  # of ports other than the first; None for abstract classes
     output_types = ()
-    unknown = ()  # values in the table that the kernel does not return
+    unavailable = ()  # values in the table that the kernel does not return
 
     def __init__(self):
         if self.input_names is None:
@@ -153,7 +153,7 @@ class PythonFilter(VTKPythonAlgorithmBase):
     def attempt(self, step):
         """Returns the result of a step; None after an error, which is reported, or an abort."""
         self._error_code = 0
-        self._found = dict(self._found, **self.forgotten())
+        self._found = dict(self._found, **self.initial_results())
         self.SetAbortExecute(0)
         self._reached = 0.0
         try:
@@ -172,8 +172,8 @@ class PythonFilter(VTKPythonAlgorithmBase):
             self._show("Error", text)
         return None
 
-    def forgotten(self):
-        """Returns the values of results that do not outlast an update."""
+    def initial_results(self):
+        """Returns the results that each update sets anew, with their values before it."""
         return {}
 
     def _compute(self, number_of_pieces):
@@ -265,7 +265,7 @@ class PythonFilter(VTKPythonAlgorithmBase):
         found = {"progress": self.advance, "memory_limit": self.get("MemoryLimit")}
         for name, described in self.properties.items():
             value = self.get(name)
-            is_skipped = name in _OF_FILTERS or name in others or described["type"] == "ids"
+            is_skipped = name in _FILTER_PROPERTIES or name in others or described["type"] == "ids"
             if not is_skipped and not (name == "MaximumDistance" and value >= NO_LIMIT):
                 names = {v: k for k, v in described.get("choices", {}).items()}
                 found[argument_of(name)] = names[value] if names else value
@@ -446,9 +446,10 @@ def _namespace(entry, bases):
     for name, described in own.items():
         made = _id_methods(name) if described["type"] == "ids" else _methods(name, described)
         found.update((k, _documented(function, described["doc"])) for k, function in made.items())
-    unknown = next(b.unknown for b in (*bases, *bases[-1].__mro__) if hasattr(b, "unknown"))
+    kinds = (*bases, *bases[-1].__mro__)
+    unavailable = next(b.unavailable for b in kinds if hasattr(b, "unavailable"))
     for name, value in entry.get("values", {}).items():
-        if name not in unknown:
+        if name not in unavailable:
             found[f"Get{name}"] = _documented(_result(name, value["default"]), value["doc"])
     for name in [n for n in found if n[:2] != "__" and any(n in vars(b) for b in bases)]:
         if callable(found[name]):  # a class that was written for the filter

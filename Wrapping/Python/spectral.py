@@ -320,7 +320,7 @@ def interpolate(
         )
     how = merge_coincident_points, merge_tolerance, projection_tolerance
     options.update(point_values=numbers, generate_basis=False)
-    found = _solve(_kernel.harmonic_spline, surface, sites.in_place(), at, how, **options)
+    found = _solve(_kernel.harmonic_spline, surface, sites.by_position(), at, how, **options)
     return found.answer("Interpolation", as_polydata)
 
 

@@ -36,10 +36,10 @@ from .pipeline import check
 
 CELLS = ("Verts", "Lines", "Polys", "Strips")
 DATA = ("PointData", "CellData", "FieldData")
-# Least number of corners of cell types that can have more.
-_LEAST = {2: 1, 4: 2, 6: 3, 7: 3, 36: 6, POLYHEDRON: 4}
+# Minimum number of corners of cell types that can have more.
+_MINIMUM_SIZES = {2: 1, 4: 2, 6: 3, 7: 3, 36: 6, POLYHEDRON: 4}
 # Number of corners of Lagrange and Bézier cells with n points along each edge.
-_OF_ORDER = {
+_SIZES_BY_ORDER = {
     kind: size
     for kinds, size in (
         ((68, 75), lambda n: n),
@@ -345,10 +345,10 @@ def _add_arrays(result, mesh, active):
 
 def _is_size(kind, size):
     """Returns true if cells of a type of VTK can have this number of corners."""
-    if kind in _LEAST:
-        return size >= _LEAST[kind]
-    if kind in _OF_ORDER:
-        return any(_OF_ORDER[kind](n) == size for n in range(2, 12))
+    if kind in _MINIMUM_SIZES:
+        return size >= _MINIMUM_SIZES[kind]
+    if kind in _SIZES_BY_ORDER:
+        return any(_SIZES_BY_ORDER[kind](n) == size for n in range(2, 12))
     cell = vtkGenericCell.InstantiateCell(kind) if 0 <= kind < VTK_NUMBER_OF_CELL_TYPES else None
     return cell is not None and kind != VTK_CONVEX_POINT_SET and size == cell.GetNumberOfPoints()
 

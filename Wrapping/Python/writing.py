@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 
 from . import _kernel
-from .data_set import ATTRIBUTES, LEAST_CORNERS, DataSet
+from .data_set import ATTRIBUTES, MINIMUM_CORNERS, DataSet
 from .errors import VTKError, depth_of_package, needing_vtk
 from .mesh import Mesh
 from .reading import OWN, reason_of
@@ -149,11 +149,11 @@ def _check_cells(path, data):
 
     from .vtk_data import CELLS
 
-    for kind, (name, least) in zip(CELLS, LEAST_CORNERS.items()):
+    for kind, (name, minimum) in zip(CELLS, MINIMUM_CORNERS.items()):
         sizes = np.diff(vtk_to_numpy(getattr(data, f"Get{kind}")().GetOffsetsArray()))
-        for i in np.flatnonzero(sizes < least)[:1]:
+        for i in np.flatnonzero(sizes < minimum)[:1]:
             raise ValueError(
-                f"{path}: {name}: cell {i} has {sizes[i]} corners, expected at least {least}; "
+                f"{path}: {name}: cell {i} has {sizes[i]} corners, expected at least {minimum}; "
                 "remove it or write a .vtk file"
             )
 

@@ -15,7 +15,7 @@ from .. import _kernel, arguments, meshes, paths, writing
 from ..cloud_graph import require_clouds
 from ..distances import METHODS as FUNCTIONS
 from ..errors import Error, call, in_arguments
-from ..graph import MOST_VALUES, even_values, find_isolines
+from ..graph import MAXIMUM_VALUES, even_values, find_isolines
 from ..graph_info import arrays_of, choose_method, find_info
 from ..results import voronoi_of
 from ..surface import Surface
@@ -379,16 +379,16 @@ def values_of(options, distances):
         return options.values
     if options.every is None:
         count = 10 if options.count is None else options.count
-        if not 1 <= count <= MOST_VALUES:
-            raise ValueError(f"--count: expected 1 to {MOST_VALUES}, got {count}")
+        if not 1 <= count <= MAXIMUM_VALUES:
+            raise ValueError(f"--count: expected 1 to {MAXIMUM_VALUES}, got {count}")
         return even_values(distances, count)
     if not options.every > 0.0:
         raise ValueError(f"--every: expected a positive number, got {options.every:g}")
     largest = np.fmax.reduce(distances)
-    if largest / options.every > MOST_VALUES:
+    if largest / options.every > MAXIMUM_VALUES:
         raise ValueError(
-            f"--every {options.every:g} makes more than {MOST_VALUES} isolines; expected at least "
-            f"{largest / MOST_VALUES:g}"
+            f"--every {options.every:g} makes more than {MAXIMUM_VALUES} isolines; expected at "
+            f"least {largest / MAXIMUM_VALUES:g}"
         )
     values = options.every * np.arange(1, int(largest / options.every) + 1)
     if len(values) == 0:

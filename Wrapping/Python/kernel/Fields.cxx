@@ -237,13 +237,13 @@ py::object Probe(const Surface& surface, const py::object& distances, const py::
   call.Run([&] {
     const dgg::TaskContext context = call.MakeContext(surface);
     DGG_RETURN_IF_ERROR(RequireSurface(context.Surface, "Distances between points"));
-    std::vector<dgg::SurfacePoint> places;
-    DGG_RETURN_IF_ERROR(probes.Locate(context, places));
+    std::vector<dgg::SurfacePoint> locations;
+    DGG_RETURN_IF_ERROR(probes.Locate(context, locations));
     dgg::FieldReader reader(context.Surface);
     DGG_RETURN_IF_ERROR(
       field.Read(context, dgg::ProgressPart(context.Progress, 0.0, readingShare), reader));
-    double* const values = output.PointData.Add<double>(field.GetName(), places.size());
-    DGG_RETURN_IF_ERROR(dgg::ProbeField(context, reader.GetField(), places,
+    double* const values = output.PointData.Add<double>(field.GetName(), locations.size());
+    DGG_RETURN_IF_ERROR(dgg::ProbeField(context, reader.GetField(), locations,
       dgg::ProgressPart(context.Progress, readingShare, 1.0), values));
     output.PointScalars = field.GetName();
     AddWarnings(reader, output);

@@ -329,13 +329,13 @@ SurfaceOrGraph::SurfaceOrGraph(const py::handle& object)
 {
   if (py::isinstance<Graph>(object))
   {
-    this->TheGraph = py::cast<std::shared_ptr<Graph>>(object);
-    this->TheSurface =
-      std::shared_ptr<const Surface>(this->TheGraph, &this->TheGraph->GetSurface());
+    this->OptionalGraph = py::cast<std::shared_ptr<Graph>>(object);
+    this->Owner =
+      std::shared_ptr<const Surface>(this->OptionalGraph, &this->OptionalGraph->GetSurface());
   }
   else if (py::isinstance<Surface>(object))
   {
-    this->TheSurface = py::cast<std::shared_ptr<Surface>>(object);
+    this->Owner = py::cast<std::shared_ptr<Surface>>(object);
   }
   else
   {
@@ -347,10 +347,10 @@ SurfaceOrGraph::SurfaceOrGraph(const py::handle& object)
 //------------------------------------------------------------------------------
 const Graph& SurfaceOrGraph::GetGraph(const char* what) const
 {
-  ThrowUnlessOk(this->TheGraph
+  ThrowUnlessOk(this->OptionalGraph
       ? dgg::Status::Success()
       : dgg::InvalidInput(what, " need a graph").At("Graph").Fix("Pass a Graph of the surface"));
-  return *this->TheGraph;
+  return *this->OptionalGraph;
 }
 
 //------------------------------------------------------------------------------

@@ -92,13 +92,13 @@ struct SurfaceOrGraph
 {
   SurfaceOrGraph(const py::handle& object);
 
-  const Surface& GetSurface() const { return *this->TheSurface; }
+  const Surface& GetSurface() const { return *this->Owner; }
   /// Returns the graph; throws an error without one, which `what` needs.
   const Graph& GetGraph(const char* what) const;
 
 private:
-  std::shared_ptr<const Surface> TheSurface;
-  std::shared_ptr<const Graph> TheGraph;
+  std::shared_ptr<const Surface> Owner;
+  std::shared_ptr<const Graph> OptionalGraph;
 };
 }
 

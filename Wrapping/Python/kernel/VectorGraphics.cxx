@@ -198,14 +198,14 @@ py::object ColorSurface(const Surface& surface, const py::object& curves,
     DGG_RETURN_IF_ERROR(RequireSurface(context.Surface, "Vector graphics"));
     dgg::GraphicsDrawing found;
     DGG_RETURN_IF_ERROR(dgg::ReadGraphics(drawing.Input, context.Surface, found));
-    std::vector<dgg::SurfacePoint> places;
+    std::vector<dgg::SurfacePoint> locations;
     if (!found.Points.empty())
     {
       SurfacePoints points = drawing.Select(found.Points);
       points.SetTolerance(tolerance);
-      DGG_RETURN_IF_ERROR(points.Locate(context, places));
+      DGG_RETURN_IF_ERROR(points.Locate(context, locations));
     }
-    return task->Run(context, found, places, settings, outputs[0], outputs[1]);
+    return task->Run(context, found, locations, settings, outputs[0], outputs[1]);
   });
   return py::make_tuple(ToPython(outputs[0]), ToPython(outputs[1]));
 }
