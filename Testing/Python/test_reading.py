@@ -301,7 +301,7 @@ class Formats(support.Test):
                     mesh = vtkdgg.read(path)
                 self.assertEqual(mesh.cell_data["id"].tolist(), [count - 1])
         mesh = support.polydata(support.grid(1, 1)[0], Strips=[[0, 1]])
-        wrong = (os.path.join(FOLDER, "x.vtp"), mesh), "strips: cell 0 has 2 corners"
+        wrong = (os.path.join(FOLDER, "x.vtp"), mesh), "strips: a strip has 2 corners"
         self.refuse(vtkdgg.write, wrong)
 
     def test_cells_of_higher_order(self):

@@ -32,6 +32,19 @@ MAXIMUM_COLUMNS = 10000  # of a table
 TASKS = {}
 
 
+def remover(*ids, ports=(1,)):
+    """Returns a function of a filter that removes all ids and disconnects input ports."""
+
+    def remove(self):
+        for name in ids:
+            getattr(self, f"RemoveAll{name}")()
+        for port in ports:
+            self.SetInputConnection(port, None)
+
+    remove.__doc__ = "Removes all ids and disconnects the input ports of such points."
+    return remove
+
+
 def task(kind):
     """Registers the task of the filter with the name of the class."""
     TASKS[kind.__name__] = kind
@@ -79,10 +92,7 @@ class vtkGeodesicDistanceAlgorithm:
         """Removes all ids."""
         self.SetSourceIds(None)
 
-    def RemoveAllSources(self):
-        """Removes all ids and disconnects input port 1."""
-        self.RemoveAllSourceIds()
-        self.SetInputConnection(1, None)
+    RemoveAllSources = remover("SourceIds")
 
     def GetSourceInitialDistance(self, i):
         """Returns the initial distance of a source id; 0 if there is none."""
@@ -239,10 +249,7 @@ class vtkDGGPath:
 
 @task
 class vtkDGGLoop:
-    def RemoveAllPoints(self):
-        """Removes all ids and disconnects input port 1."""
-        self.RemoveAllPointIds()
-        self.SetInputConnection(1, None)
+    RemoveAllPoints = remover("PointIds")
 
     def is_cloud(self, polydata):
         return False
@@ -258,10 +265,7 @@ class vtkDGGLoop:
 
 @task
 class vtkGeodesicVoronoi:
-    def RemoveAllSites(self):
-        """Removes all ids and disconnects input port 1."""
-        self.RemoveAllSiteIds()
-        self.SetInputConnection(1, None)
+    RemoveAllSites = remover("SiteIds")
 
     def run(self, polydata):
         target = self.surface if self.get("Preview") else self.graph(polydata)
@@ -355,12 +359,7 @@ class vtkGeodesicDistanceMatrix:
 
 @task
 class vtkGeodesicPatchBoundaries:
-    def RemoveAllLandmarks(self):
-        """Removes the ids for both surfaces and disconnects input ports 2 and 3."""
-        self.RemoveAllFirstLandmarkIds()
-        self.RemoveAllSecondLandmarkIds()
-        self.SetInputConnection(2, None)
-        self.SetInputConnection(3, None)
+    RemoveAllLandmarks = remover("FirstLandmarkIds", "SecondLandmarkIds", ports=(2, 3))
 
     def run(self, polydata):
         second = self.input(1)

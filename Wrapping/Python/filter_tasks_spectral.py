@@ -7,7 +7,7 @@ import math
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 from . import _kernel as kernel
-from .filter_tasks import TASKS, new_outputs, task
+from .filter_tasks import TASKS, new_outputs, remover, task
 from .vtk_data import ids_of, named_arrays, values_of
 from .vtk_input import numbers
 from .vtk_output import with_result
@@ -21,10 +21,7 @@ class vtkSpectralAlgorithm:
 
     unavailable = ("MemorySize", "NumberOfColumns", "NumberOfFactorizations", "NumberOfSpectra")
 
-    def RemoveAllSources(self):
-        """Removes all ids and disconnects input port 1."""
-        self.RemoveAllSourceIds()
-        self.SetInputConnection(1, None)
+    RemoveAllSources = remover("SourceIds")
 
     def run(self, polydata):
         sources = self.points(1, "SourceIds")

@@ -160,7 +160,7 @@ class Surface:
         data = self._polydata.GetFieldData()
         for name, values in (graph or {}).items():
             if not data.HasArray(name):
-                data.AddArray(vtk_data.shared_array(values, name))
+                vtk_data.add_array(data, name, values, is_shared=True)
         surface = vtk_data.shallow_copy(self._polydata)
         return surface if result is None else vtk_output.polydata_of_result(result, surface)
 

@@ -250,18 +250,12 @@ def surface_of(data, name):
     return result
 
 
-def add_array(data, name, values, data_type=None):
-    """Adds a copy of an array to point, cell or field data."""
-    array = numpy_to_vtk(np.ascontiguousarray(values), deep=True, array_type=data_type)
+def add_array(data, name, values, is_shared=False):
+    """Adds a copy of an array to point, cell or field data, or an array that shares its memory and
+    keeps it alive."""
+    array = numpy_to_vtk(np.ascontiguousarray(values), deep=not is_shared)
     array.SetName(name)
     data.AddArray(array)
-
-
-def shared_array(values, name):
-    """Returns a VTK array that shares the memory of `values` and keeps it alive."""
-    array = numpy_to_vtk(values)
-    array.SetName(name)
-    return array
 
 
 def named_arrays(data):

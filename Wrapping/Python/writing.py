@@ -15,7 +15,7 @@ import numpy as np
 from . import _kernel
 from .data_set import ATTRIBUTES, MINIMUM_CORNERS, DataSet
 from .errors import VTKError, depth_of_package, needing_vtk
-from .mesh import Mesh
+from .mesh import Mesh, checked_cells
 from .reading import OWN, reason_of
 
 __all__ = ["write"]
@@ -137,25 +137,15 @@ def _write_by_vtk(path, extension, mesh):
 
     from . import meshes
 
-    data = meshes.take(mesh)[0].polydata()
-    if extension == ".vtp":
-        _check_cells(path, data)
-    write_by(vtkXMLPolyDataWriter() if extension == ".vtp" else vtkPolyDataWriter(), path, data)
-
-
-def _check_cells(path, data):
-    """Raises an error for cells with too few corners."""
-    from vtkmodules.util.numpy_support import vtk_to_numpy
-
-    from .vtk_data import CELLS
-
-    for kind, (name, minimum) in zip(CELLS, MINIMUM_CORNERS.items()):
-        sizes = np.diff(vtk_to_numpy(getattr(data, f"Get{kind}")().GetOffsetsArray()))
-        for i in np.flatnonzero(sizes < minimum)[:1]:
-            raise ValueError(
-                f"{path}: {name}: cell {i} has {sizes[i]} corners, expected at least {minimum}; "
-                "remove it or write a .vtk file"
-            )
+    surface, _ = meshes.take(mesh)
+    if extension == ".vtp":  # VTK ends the process when it reads cells with fewer corners
+        for name, minimum in MINIMUM_CORNERS.items():
+            try:
+                checked_cells(surface.data.cells[name], name, surface.number_of_points, minimum)
+            except ValueError as error:
+                raise ValueError(f"{path}: {error}; .vtk files may have such cells") from None
+    writer = vtkXMLPolyDataWriter() if extension == ".vtp" else vtkPolyDataWriter()
+    write_by(writer, path, surface.polydata())
 
 
 def write_by(writer, path, data):
