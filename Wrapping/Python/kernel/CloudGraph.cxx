@@ -52,7 +52,12 @@ SimpleNamespace
 Raises
 ------
 Error
-    For an option that is out of range, and if memory is insufficient.)";
+    For an option that is out of range, and if memory is insufficient.
+
+References
+----------
+Z. Fang, "Discrete geodesic graphs", PhD thesis, Nanyang Technological University, 2019, chapter 5:
+the band and the schemes "Curvature" and "Constant".)";
 
 /// Options with the normals they refer to.
 struct CloudArguments

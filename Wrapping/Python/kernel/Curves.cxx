@@ -46,7 +46,13 @@ SimpleNamespace
 Raises
 ------
 Error
-    For an invalid point. Points that are not connected give a warning.)";
+    For an invalid point. Points that are not connected give a warning.
+
+References
+----------
+D. T. Lee, F. P. Preparata, "Euclidean shortest paths in the presence of rectilinear barriers",
+Networks 14, 1984; S.-Q. Xin, G.-J. Wang, "Efficiently determining a locally exact shortest path on
+polyhedral surfaces", Computer-Aided Design 39, 2007.)";
 
 constexpr const char* LoopsDocumentation =
   R"(Closed geodesics through points, or around the handles and holes of a surface.
@@ -73,7 +79,12 @@ tuple of two SimpleNamespace
 Raises
 ------
 Error
-    For an invalid point, and a rope of fewer than three different points.)";
+    For an invalid point, and a rope of fewer than three different points.
+
+References
+----------
+Handles: J. Erickson, K. Whittlesey, "Greedy optimal homotopy and homology generators", SODA 2005.
+Loops are straightened as by `paths`.)";
 
 enum class PathMethod
 {

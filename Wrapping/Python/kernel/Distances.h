@@ -26,7 +26,7 @@ constexpr const char* VirtualSourceName = "GeodesicVirtualSource";
 ///@}
 
 /// Documentation of the arguments and results of distances.
-#define DGG_DISTANCE_DOCUMENTATION                                                               \
+#define DGG_DISTANCE_DOCUMENTATION(parameters, references)                                       \
   "sources : surface points\n"                                                                   \
   "initial_distances : array_like, one per source\n"                                             \
   "    Distances at the sources. Default: 0.\n"                                                  \
@@ -40,7 +40,7 @@ constexpr const char* VirtualSourceName = "GeodesicVirtualSource";
   "    Add \"GeodesicSource\" (int32, -1 if unreached) or \"GeodesicVirtualSource\" (offset, "   \
   "length, angle).\n"                                                                            \
   "distance_array_name, source_array_name, virtual_source_array_name : str\n"                    \
-  "    Names of the arrays.\n"                                                                   \
+  "    Names of the arrays.\n" parameters                                                        \
   "projection_tolerance, memory_limit, number_of_threads, progress\n"                            \
   "    See the module.\n\n"                                                                      \
   "Returns\n-------\n"                                                                           \
@@ -49,7 +49,8 @@ constexpr const char* VirtualSourceName = "GeodesicVirtualSource";
   "    quality_warning is true if a warning is about the accuracy.\n\n"                          \
   "Raises\n------\n"                                                                             \
   "Error\n"                                                                                      \
-  "    For an invalid source or option, and if memory is insufficient.\n"
+  "    For an invalid source or option, and if memory is insufficient.\n\n"                      \
+  "References\n----------\n" references
 
 /// A computation of distances.
 class Distances

@@ -51,7 +51,12 @@ SimpleNamespace
 Raises
 ------
 Error
-    For distributions without mass, of negative mass, or of different masses.)";
+    For distributions without mass, of negative mass, or of different masses.
+
+References
+----------
+J. Solomon, R. Rustamov, L. Guibas, A. Butscher, "Earth mover's distances on discrete surfaces", ACM
+Trans. Graph. 33(4), 2014, section 4.)";
 
 /// A distribution and its points, before they are located.
 struct Distribution

@@ -47,7 +47,13 @@ Raises
 Error
     For an option that is out of range, and if the graph would take more memory than the limit.
 
-Any number of threads may search one graph. `arrays` and from_arrays() are for copies and files.)";
+Any number of threads may search one graph. `arrays` and from_arrays() are for copies and files.
+
+References
+----------
+X. Wang et al., "Discrete geodesic graph (DGG) for computing geodesic distances on polyhedral
+surfaces", CAGD 52-53, 2017; Z. Fang, "Discrete geodesic graphs", PhD thesis, Nanyang Technological
+University, 2019.)";
 
 constexpr const char* FromArraysDocumentation =
   R"(The graph of a surface or a cloud from its arrays.

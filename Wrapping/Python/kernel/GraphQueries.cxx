@@ -18,13 +18,14 @@ namespace
 {
 constexpr const char* DistanceDocumentation =
   "Distances from the nearest source.\n\n"
-  "Parameters\n----------\n" DGG_DISTANCE_DOCUMENTATION "\n"
-  "correction : bool\n"
-  "    Estimate distances within the accuracy, instead of lengths of paths in the graph.\n"
-  "search : {\"Certified\", \"LabelCorrecting\", \"Dijkstra\"}\n"
-  "generate_upper_bound : bool\n"
-  "    Add \"GeodesicUpperBound\", the lengths of paths.\n"
-  "upper_bound_array_name : str\n";
+  "Parameters\n----------\n" DGG_DISTANCE_DOCUMENTATION(
+    "correction : bool\n"
+    "    Estimate distances within the accuracy, instead of lengths of paths in the graph.\n"
+    "search : {\"Certified\", \"LabelCorrecting\", \"Dijkstra\"}\n"
+    "generate_upper_bound : bool\n"
+    "    Add \"GeodesicUpperBound\", the lengths of paths.\n"
+    "upper_bound_array_name : str\n",
+    "See the class.");
 
 constexpr const char* MatrixDocumentation =
   R"(Distances of all pairs of a row and a column, as lengths of paths.

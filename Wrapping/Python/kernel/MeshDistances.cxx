@@ -16,40 +16,52 @@ namespace
 constexpr const char* ExactDocumentation =
   "Exact distances from the nearest source, by propagation of windows.\n\n"
   "Parameters\n----------\n"
-  "surface : Surface\n" DGG_DISTANCE_DOCUMENTATION "\n"
-  "generate_windows : bool\n"
-  "    Add field data that determine the distance at every point of the surface.\n"
-  "engine : {\"Triangle\", \"Reference\"}\n"
-  "    \"Reference\" is slow and serves for comparison.\n";
+  "surface : Surface\n" DGG_DISTANCE_DOCUMENTATION(
+    "generate_windows : bool\n"
+    "    Add field data that determine the distance at every point of the surface.\n"
+    "engine : {\"Triangle\", \"Reference\"}\n"
+    "    \"Reference\" is slow and serves for comparison.\n",
+    R"(J. S. B. Mitchell, D. M. Mount, C. H. Papadimitriou, "The discrete geodesic problem", SIAM J.
+Comput. 16, 1987; J. Chen, Y. Han, "Shortest paths on a polyhedron", SoCG 1990; Y. Qin et al.,
+"Fast and exact discrete geodesic computation based on triangle-oriented wavefront propagation", ACM
+Trans. Graph. 35(4), 2016.)");
 
 constexpr const char* VirtualSourceDocumentation =
   "Approximate distances in milliseconds, by propagation of virtual sources; no bound of the "
   "error.\n\n"
   "Parameters\n----------\n"
-  "surface : Surface\n" DGG_DISTANCE_DOCUMENTATION "\n"
-  "quality : {\"Automatic\", \"Fast\", \"High\"}\n";
+  "surface : Surface\n" DGG_DISTANCE_DOCUMENTATION(
+    "quality : {\"Automatic\", \"Fast\", \"High\"}\n",
+    R"(P. Trettner, D. Bommes, L. Kobbelt, "Geodesic distance computation via virtual source
+propagation", Computer Graphics Forum 40(5), 2021.)");
 
 constexpr const char* HeatDocumentation =
   "Approximate distances by the heat method; no bound of the error. Factorizations are kept by the "
   "surface.\n\n"
   "Parameters\n----------\n"
-  "surface : Surface\n" DGG_DISTANCE_DOCUMENTATION "\n"
-  "time_step_factor : float\n"
-  "    Factor of the square of the mean edge length that gives the time of the flow.\n"
-  "intrinsic_delaunay : bool\n"
-  "    Flip edges until they are Delaunay.\n"
-  "boundary : {\"Neumann\", \"Dirichlet\", \"Average\"}\n";
+  "surface : Surface\n" DGG_DISTANCE_DOCUMENTATION(
+    "time_step_factor : float\n"
+    "    Factor of the square of the mean edge length that gives the time of the flow.\n"
+    "intrinsic_delaunay : bool\n"
+    "    Flip edges until they are Delaunay.\n"
+    "boundary : {\"Neumann\", \"Dirichlet\", \"Average\"}\n",
+    R"(K. Crane, C. Weischedel, M. Wardetzky, "Geodesics in heat: a new approach to computing distance
+based on heat flow", ACM Trans. Graph. 32(5), 2013.)");
 
 constexpr const char* MarchingDocumentation =
   "Approximate distances by fast marching, on a surface or a cloud; no bound of the error.\n\n"
   "Parameters\n----------\n"
-  "surface : Surface\n" DGG_DISTANCE_DOCUMENTATION "\n"
-  "front_shape : {\"Spherical\", \"Planar\"}\n"
-  "    On a surface.\n"
-  "band_radius : float\n"
-  "    On a cloud, radius of balls around points in voxels; 0 for an automatic one.\n"
-  "resolution : int\n"
-  "    On a cloud, number of voxels along the longest side; 0 for an automatic one.\n";
+  "surface : Surface\n" DGG_DISTANCE_DOCUMENTATION(
+    "front_shape : {\"Spherical\", \"Planar\"}\n"
+    "    On a surface.\n"
+    "band_radius : float\n"
+    "    On a cloud, radius of balls around points in voxels; 0 for an automatic one.\n"
+    "resolution : int\n"
+    "    On a cloud, number of voxels along the longest side; 0 for an automatic one.\n",
+    R"(R. Kimmel, J. A. Sethian, "Computing geodesic paths on manifolds", Proc. Natl. Acad. Sci. 95,
+1998; M. Novotni, R. Klein, "Computing geodesic distances on triangular meshes", WSCG 2002; clouds:
+F. Memoli, G. Sapiro, "Fast computation of weighted distance functions and geodesics on implicit
+hyper-surfaces", J. Comput. Phys. 173, 2001.)");
 
 //------------------------------------------------------------------------------
 py::object ComputeExact(

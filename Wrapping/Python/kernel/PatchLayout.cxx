@@ -39,7 +39,11 @@ tuple of two SimpleNamespace
 Raises
 ------
 Error
-    For an invalid landmark, and a layout that is invalid or cannot be drawn.)";
+    For an invalid landmark, and a layout that is invalid or cannot be drawn.
+
+References
+----------
+E. Praun, W. Sweldens, P. Schroeder, "Consistent mesh parameterizations", SIGGRAPH 2001.)";
 
 /// Draws a layout on two surfaces.
 dgg::Status TracePatches(const dgg::TaskContext (&contexts)[2], const SurfacePoints (&given)[2],

@@ -83,7 +83,12 @@ SimpleNamespace
 Raises
 ------
 Error
-    For an invalid point or option.)";
+    For an invalid point or option.
+
+References
+----------
+G. Peyre, L. D. Cohen, "Geodesic remeshing using front propagation", Int. J. Comput. Vis. 69(1),
+2006.)";
 
 //------------------------------------------------------------------------------
 dgg::VoronoiOptions ReadVoronoiOptions(Arguments& arguments)

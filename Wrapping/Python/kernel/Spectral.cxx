@@ -54,7 +54,11 @@ constexpr const char* GreensDocumentation =
   "    Radius of the singular part; 0 for an automatic one.\n"
   "interpolate_regular_part : bool\n"
   "    Reuse columns of vertices, for many sources.\n" DGG_SPECTRAL_DOCUMENTATION
-  " `used` of the first\nresult lists the method, the radius and is_near_ridge of each source.";
+  " `used` of the first\nresult lists the method, the radius and is_near_ridge of each source."
+  "\n\nReferences\n----------\n"
+  R"(Y. Lipman, R. M. Rustamov, T. A. Funkhouser, "Biharmonic distance", ACM Trans. Graph. 29(3),
+2010, section 3 ("Vertex"); Z. Fang, "Discrete geodesic graphs", PhD thesis, Nanyang Technological
+University, 2019, chapter 4 ("Localized").)";
 
 constexpr const char* BiharmonicDocumentation =
   "Biharmonic, commute-time or diffusion distances from each source.\n\n"
@@ -67,7 +71,11 @@ constexpr const char* BiharmonicDocumentation =
   "diffusion_time : float\n"
   "    Square of a length; 0 for an automatic one.\n"
   "unreached_value : float\n"
-  "    Distance in other components. Default: NaN.\n" DGG_SPECTRAL_DOCUMENTATION;
+  "    Distance in other components. Default: NaN.\n" DGG_SPECTRAL_DOCUMENTATION
+  "\n\nReferences\n----------\n"
+  R"(Y. Lipman, R. M. Rustamov, T. A. Funkhouser, "Biharmonic distance", ACM Trans. Graph. 29(3),
+2010, sections 3 and 4; R. R. Coifman, S. Lafon, "Diffusion maps", Appl. Comput. Harmon. Anal. 21,
+2006.)";
 
 constexpr const char* SplineDocumentation =
   "Basis functions of sites, interpolation of values at sites, and Poisson equations.\n\n"
@@ -86,7 +94,12 @@ constexpr const char* SplineDocumentation =
   "generate_basis, smooth_evaluation : bool\n"
   "cell_array_name, solution_array_name, interpolation_array_name : "
   "str\n" DGG_SPECTRAL_DOCUMENTATION
-  " `used_sites` of the first result lists the\npoints of the sites, -1 unless at a point.";
+  " `used_sites` of the first result lists the\npoints of the sites, -1 unless at a point."
+  "\n\nReferences\n----------\n"
+  R"(P. Feng, J. Warren, "Discrete bi-Laplacians and biharmonic b-splines", ACM Trans. Graph. 31(4),
+2012; Z. Fang, "Discrete geodesic graphs", PhD thesis, Nanyang Technological University, 2019, chapter 4
+and section 6.2.1; G. Wahba, "Spline interpolation and smoothing on the sphere", SIAM J. Sci. Stat.
+Comput. 2(1), 1981.)";
 
 /// A task and its factorization, which calls reuse.
 template <typename Task>

@@ -55,7 +55,12 @@ tuple of two SimpleNamespace
 Raises
 ------
 Error
-    For an invalid curve, array or option.)";
+    For an invalid curve, array or option.
+
+References
+----------
+F. Hou et al., "Poisson vector graphics", IEEE Trans. Vis. Comput. Graph. 26(2), 2020;
+A. Orzan et al., "Diffusion curves", ACM Trans. Graph. 27(3), 2008.)";
 
 /// Names of the arrays of a drawing.
 struct GraphicsNames
