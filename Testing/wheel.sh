@@ -29,7 +29,7 @@ declare -A packages=(
   [oldest]="vtk==9.3.1 scipy"
 )
 without_vtk="test_kernel test_without_vtk"
-functions="test_compat test_distance test_graph test_graph_copies test_meshes test_queries test_reading"
+functions="test_compat test_distance test_functions test_graph test_graph_copies test_meshes test_queries test_reading"
 declare -A tests=(
   [numpy]="$without_vtk"
   [newest]="$without_vtk $functions test_real_pyvista"

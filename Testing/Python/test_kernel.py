@@ -467,6 +467,7 @@ class Calls(unittest.TestCase):
             (lambda: kernel.Surface(PLANE[0], ([0, 5], [0, 1, 2])), ValueError, "ascend"),
             (lambda: kernel.probe(SURFACE, [1, 2], [0]), ValueError, "one per point, 441"),
             (lambda: kernel.paths(GRAPH, [0]), ValueError, "even number"),
+            (lambda: kernel.paths(GRAPH, [0, 1], straighten="no"), ValueError, "expected a bool"),
         ):
             with self.subTest(pattern=pattern), self.assertRaisesRegex(error, pattern):
                 call()

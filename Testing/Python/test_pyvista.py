@@ -162,6 +162,8 @@ class Accessor(unittest.TestCase):
         dgg = self.mesh.dgg
         start, end = np.zeros(642), np.zeros(642)
         start[5] = end[40] = 1.0
+        colors = {"LeftColor": [[1.0, 0, 0]], "RightColor": [[0, 0, 1.0]]}
+        curves = vtkdgg.Mesh(self.points[[5, 40]], lines=([0, 2], [0, 1]), cell_data=colors)
         for output, array in (
             (dgg.paths([5, 6], 318), "Length"),
             (dgg.isolines(5, 4), "IsoValue"),
@@ -171,6 +173,9 @@ class Accessor(unittest.TestCase):
             (dgg.biharmonic(5), "BiharmonicDistance"),
             (dgg.earth_movers(start, end), "EarthMoversPotential"),
             (dgg.interpolate([5, 40], [1.0, 2.0]), "Interpolation"),
+            (dgg.probe(start, [5, 40]), "GeodesicDistance"),
+            (dgg.patch_boundaries(self.mesh, [5, 40], [5, 40], edges=[[0, 1]])[1], "LayoutEdge"),
+            (dgg.vector_graphics(curves, refinement_level=0), "Colors"),
         ):
             with self.subTest(array):
                 self.assertIsInstance(output, PolyData)

@@ -56,6 +56,18 @@ class WithoutVTK(unittest.TestCase):
         values = vtkdgg.interpolate(mesh, [0, 60, 120], [1.0, 2.0, 3.0])
         np.testing.assert_allclose(values[[0, 60, 120]], [1, 2, 3])
         self.assertLess(vtkdgg.earth_movers(mesh, 0, 10).lower_bound, 10.1)
+        places = [[2.5, 7.5, 0.0], [9.3, 0.2, 0.0]]
+        for found in (
+            vtkdgg.distance(mesh, 0, at=places),
+            vtkdgg.probe(POINTS, TRIANGLES, FROM_0, places),
+        ):
+            np.testing.assert_allclose(found, np.hypot(*np.transpose(places)[:2]), rtol=1e-9)
+        ids = [0, 10, 120]
+        curves, _ = vtkdgg.patch_boundaries(mesh, mesh, ids, ids, [[0, 1, 2]])
+        np.testing.assert_allclose([c.length for c in curves], [10, 10, math.hypot(10, 10)])
+        white = {"LeftColor": [[1.0, 1, 1]], "RightColor": [[1.0, 1, 1]]}
+        line = vtkdgg.Mesh(POINTS[[24, 90]], lines=([0, 2], [0, 1]), cell_data=white)
+        self.assertEqual(vtkdgg.vector_graphics(mesh, line).point_data["RGB"].min(), 255)
 
     def test_graphs(self):
         graph = vtkdgg.Graph(POINTS, TRIANGLES, accuracy=0.01)

@@ -9,7 +9,11 @@
 `Graph`, `CloudGraph`
     for many calls: a graph of a mesh or cloud is built once; distances, paths and more then take
     milliseconds,
-`greens_function`, `biharmonic`, `earth_movers`, `interpolate`
+`probe`
+    distances at points anywhere on a mesh,
+`patch_boundaries`
+    the same layout of curves on two meshes,
+`greens_function`, `biharmonic`, `earth_movers`, `interpolate`, `vector_graphics`
     functions based on the Laplacian of a mesh,
 `show_progress`
     turns progress bars on or off,
@@ -33,15 +37,17 @@ from typing import TYPE_CHECKING
 from .build_info import CLASSES
 from .build_info import VERSION as __version__  # noqa: F401
 from .cloud_graph import CloudGraph
-from .distances import distance
+from .distances import distance, probe
 from .errors import Error, VTKError, needing_vtk
 from .graph import Graph
+from .graphics import vector_graphics
+from .layouts import patch_boundaries
 from .mesh import Mesh
-from .paths import path
+from .paths import NotConnectedError, path
 from .progress import show_progress
 from .property_table import TABLE
 from .reading import read
-from .results import EarthMovers, Isoline, Loop, Path, Samples, Voronoi
+from .results import EarthMovers, Isoline, Loop, PatchBoundary, Path, Samples, Voronoi
 from .spectral import biharmonic, earth_movers, greens_function, interpolate
 from .writing import write
 
@@ -62,6 +68,8 @@ _WITHOUT_VTK = [
     "Isoline",
     "Loop",
     "Mesh",
+    "NotConnectedError",
+    "PatchBoundary",
     "Path",
     "Samples",
     "VTKError",
@@ -71,9 +79,12 @@ _WITHOUT_VTK = [
     "earth_movers",
     "greens_function",
     "interpolate",
+    "patch_boundaries",
     "path",
+    "probe",
     "read",
     "show_progress",
+    "vector_graphics",
     "write",
 ]
 

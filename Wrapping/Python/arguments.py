@@ -4,12 +4,14 @@
 
 from __future__ import annotations
 
+import functools
+import inspect
 import operator
-from typing import TYPE_CHECKING, Sequence, Tuple, Union
+from typing import TYPE_CHECKING, Any, Callable, Sequence, Tuple, TypeVar, Union
 
 import numpy as np
 
-from .checks import check_ids, coordinates, numbers, there_are  # noqa: F401
+from .checks import check_flag, check_ids, coordinates, numbers, there_are  # noqa: F401
 from .errors import needing_vtk
 
 if TYPE_CHECKING:
@@ -20,6 +22,8 @@ if TYPE_CHECKING:
     SurfacePointLike = Union[int, ArrayLike, Tuple[int, ArrayLike]]
     #: One or several of them.
     SurfacePointsLike = Union[SurfacePointLike, Sequence[SurfacePointLike]]
+    #: A function or a method.
+    Function = TypeVar("Function", bound=Callable[..., Any])
 
 # Tolerance of barycentric coordinates and of their sum, the same as in the filters.
 _BARYCENTRIC_TOLERANCE = 1e-6
@@ -263,6 +267,21 @@ def number(value, name):
         return float(value)
     except (TypeError, ValueError, OverflowError):
         raise ValueError(f"{name}: expected a number, got {value!r}") from None
+
+
+def with_flags(function: Function) -> Function:
+    """Decorator that checks the arguments of a function that are annotated as bool."""
+    names = [name for name, kind in function.__annotations__.items() if kind == "bool"]
+    positions = list(inspect.signature(function).parameters)
+
+    @functools.wraps(function)
+    def checked(*values: Any, **options: Any) -> Any:
+        for name, value in (*zip(positions, values), *options.items()):
+            if name in names:
+                check_flag(value, name)
+        return function(*values, **options)
+
+    return checked
 
 
 def integer(value, name):

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Checks of arrays, and counts in messages. This module imports no VTK."""
+"""Checks of arrays and flags, and counts in messages. This module imports no VTK."""
 
 import numpy as np
 
@@ -13,6 +13,12 @@ def counted(count, one, many=None):
 def there_are(count, one):
     """Returns a clause such as "there are 2 points"."""
     return f"there {'is' if count == 1 else 'are'} {counted(count, one)}"
+
+
+def check_flag(value, name):
+    """Raises an error unless the value is a bool. Other objects have truth values as well."""
+    if not isinstance(value, (bool, np.bool_)):
+        raise ValueError(f"{name}: expected True or False, got {value!r}")
 
 
 def numbers(values, name, kind="number"):

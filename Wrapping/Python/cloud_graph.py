@@ -54,6 +54,11 @@ class CloudGraph(Queries):
     --------
     vtkPointCloudDGG : a filter with further options.
 
+    References
+    ----------
+    Z. Fang, "Discrete geodesic graphs", PhD thesis, Nanyang Technological University, 2019, chapter
+    5, for the band and the schemes A and B.
+
     Examples
     --------
     >>> cloud = vtkdgg.CloudGraph(np.random.default_rng(0).random((2000, 3)) * [1, 1, 0])

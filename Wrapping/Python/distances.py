@@ -1,9 +1,10 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Distances on a surface in one call."""
+"""Distances on a surface in one call, at its points or anywhere."""
 
 from __future__ import annotations
 
+from types import SimpleNamespace
 from typing import TYPE_CHECKING, Any, Optional, Tuple, Union
 
 import numpy as np
@@ -18,8 +19,9 @@ if TYPE_CHECKING:
 
     from .arguments import SurfacePointsLike
 
-__all__ = ["distance"]
+__all__ = ["distance", "probe"]
 
+_DISTANCE = "GeodesicDistance"
 #: Functions of the kernel by the names of methods.
 METHODS = {
     "exact": _kernel.exact_distance,
@@ -29,6 +31,7 @@ METHODS = {
 }
 
 
+@arguments.with_flags
 def distance(
     points: Any,
     triangles: Optional[ArrayLike] = None,
@@ -40,6 +43,7 @@ def distance(
     unreached: float = np.nan,
     accuracy: Optional[float] = None,
     method: Optional[str] = None,
+    at: Optional[SurfacePointsLike] = None,
     merge_coincident_points: bool = False,
     merge_tolerance: float = 0.0,
     projection_tolerance: Optional[float] = None,
@@ -81,6 +85,11 @@ def distance(
         milliseconds. "marching" (fast marching) takes point clouds as well: a mesh without
         polygons, or [] for the triangles. Errors of these two have no bound. An `accuracy` with
         another method than "graph", or on a cloud, is an error.
+    at : surface points, optional
+        Points on the surface, in the forms of `sources`, at which the distances are returned. They
+        are exact with the method "exact"; other methods have no error bound inside triangles. A
+        point is unreached if a corner of its triangle is. Not with `return_source`. Default: the
+        points of the mesh.
     merge_coincident_points : bool, optional
         Treat points with equal coordinates as one, as along the seams of a textured mesh or in a
         triangle soup.
@@ -91,12 +100,12 @@ def distance(
         Largest distance of the coordinates of a source from the surface, as a fraction of the
         diagonal of its bounding box. Default: 0.01.
     as_polydata : bool, optional
-        Return the surface with the point array "GeodesicDistance", and with `return_source` also
-        "GeodesicSource".
+        Return the surface, or the points of `at`, with the point array "GeodesicDistance", and with
+        `return_source` also "GeodesicSource".
 
     Returns
     -------
-    distances : numpy.ndarray of float64, shape (n,), or vtkPolyData
+    distances : numpy.ndarray of float64, shape (n,) or (p,), or vtkPolyData
         In the unit of `points`. Without points it is empty, whatever the ids in `sources`; points
         without triangles are an error.
     nearest : numpy.ndarray of int, shape (n,)
@@ -114,9 +123,18 @@ def distance(
     See Also
     --------
     Graph : for many calls on one mesh.
+    probe : for distances that were computed before.
     CloudGraph : for point clouds, far more accurate than "marching".
     vtkExactGeodesicDistance, vtkDGGDistance, vtkVirtualSourceGeodesicDistance,
         vtkDGGFastMarchingDistance : filters with further options.
+
+    References
+    ----------
+    Exact: J. S. B. Mitchell, D. M. Mount, C. H. Papadimitriou, "The discrete geodesic problem",
+    SIAM J. Comput. 16, 1987. "fast": P. Trettner, D. Bommes, L. Kobbelt, "Geodesic distance
+    computation via virtual source propagation", Computer Graphics Forum 40(5), 2021. "marching":
+    R. Kimmel, J. A. Sethian, "Computing geodesic paths on manifolds", Proc. Natl. Acad. Sci. 95,
+    1998. "graph": see `Graph`.
 
     Examples
     --------
@@ -130,19 +148,129 @@ def distance(
     options["unreached_value"] = arguments.number(unreached, "unreached")
     method, info = choose_method(method, accuracy, surface, METHODS)
     how = merging(merge_coincident_points, merge_tolerance, info)
-    if surface.number_of_points == 0:
+    if at is not None:
+        at = arguments.surface_points(at, "at", surface)
+        if return_source:
+            raise ValueError("return_source: expected False together with `at`, got True")
+    elif surface.number_of_points == 0:
         if as_polydata:
             return surface.polydata()
         return (np.empty(0), np.empty(0, dtype=np.intp)) if return_source else np.empty(0)
 
     has_cloud = info is not None and info.is_cloud
-    target = surface.prepared(*how, has_cloud or (method == "marching" and not surface.has_polygons))
+    is_cloud = has_cloud or (method == "marching" and not surface.has_polygons)
+    if is_cloud and at is not None:
+        raise ValueError("at: applies to meshes, not to point clouds")
+    target = prepared = surface.prepared(*how, is_cloud)
     if method == "graph":
         stored = arrays_of(surface.field_data)
         target = call(_kernel.Graph, target, stored=stored, accuracy=accuracy)
-    options["generate_nearest_source"] = bool(return_source)
+    options["generate_nearest_source"] = return_source
+    if at is not None:
+        options["unreached_value"] = np.nan
+        kind = "generate_windows" if method == "exact" else "generate_virtual_source"
+        options[kind] = True
     result = call(METHODS[method], target, sources.in_kernel(), **options)
-    return surface.polydata(result) if as_polydata else field_of(result, return_source)
+    if at is None:
+        return surface.polydata(result) if as_polydata else field_of(result, return_source)
+    result = _probed(prepared, result, _DISTANCE, at, options["projection_tolerance"])
+    values = result.point_data[_DISTANCE]
+    values[np.isnan(values)] = unreached
+    return at.polydata(result) if as_polydata else values
+
+
+@arguments.with_flags
+def probe(
+    points: Any,
+    triangles: Optional[ArrayLike] = None,
+    distances: Union[str, ArrayLike, None] = None,
+    at: Optional[SurfacePointsLike] = None,
+    *,
+    unreached: float = np.nan,
+    merge_coincident_points: bool = False,
+    merge_tolerance: float = 0.0,
+    projection_tolerance: Optional[float] = None,
+    as_polydata: bool = False,
+) -> Union[NDArray[np.float64], vtkPolyData]:
+    """Distances at points anywhere on a surface, from those at the points of its mesh:
+    ``probe(points, triangles, distances, at)`` or ``probe(mesh, distances, at)``.
+
+    Parameters
+    ----------
+    points, triangles : array_like, shapes (n, 3) and (m, 3), or one mesh
+        As for `distance`.
+    distances : array_like of float, shape (n,), or str
+        Distances by any method, or the name of a point array of the mesh. With a name, the array
+        "GeodesicVirtualSource" and the windows that vtkExactGeodesicDistance adds are used if the
+        mesh has them. Otherwise virtual sources are fitted to the distances.
+    at : surface points
+        Where the distances are evaluated, as the sources of `distance`.
+    unreached : float, optional
+        Value that marks unreached points, in addition to NaN and infinity. Default: NaN.
+    merge_coincident_points, merge_tolerance, projection_tolerance
+        As for `distance`.
+    as_polydata : bool, optional
+        Return the points of `at` with the point array, whose name is "GeodesicDistance" unless
+        another one is given.
+
+    Returns
+    -------
+    numpy.ndarray of float64, shape (p,), or vtkPolyData
+        In the unit of `distances`; NaN in triangles with an unreached corner. Exact with windows;
+        otherwise more accurate than linear interpolation, but without an error bound.
+
+    Raises
+    ------
+    ValueError, Error
+        As for `distance`; also if there is no such array, or not one distance for each point.
+
+    See Also
+    --------
+    distance : its argument `at` gives exact distances in one call.
+    vtkGeodesicProbe : a filter with further options.
+
+    References
+    ----------
+    J. S. B. Mitchell, D. M. Mount, C. H. Papadimitriou, "The discrete geodesic problem", SIAM J.
+    Comput. 16, 1987, section 3.
+
+    Examples
+    --------
+    >>> vtkdgg.probe([[0, 0, 0], [3, 0, 0], [0, 4, 0]], [[0, 1, 2]], [0, 3, 4], [1.5, 2.0, 0.0])
+    array([2.5])
+    """
+    surface, (distances, at) = meshes.take(points, triangles, distances=distances, at=at)
+    at = arguments.surface_points(at, "at", surface)
+    name, field = _DISTANCE, surface.data
+    if isinstance(distances, str):
+        name = distances
+        if name not in field.point_data:
+            known = ", ".join(map(repr, field.point_data)) or "none"
+            raise ValueError(f"distances: there is no point array {name!r}; the mesh has {known}")
+    else:
+        values = arguments.numbers(distances, "distances")
+        field = SimpleNamespace(point_data={name: values}, field_data={})
+    options = {"unreached_value": unreached}
+    prepared = surface.prepared(*merging(merge_coincident_points, merge_tolerance))
+    result = _probed(prepared, field, name, at, projection_tolerance, **options)
+    return at.polydata(result) if as_polydata else result.point_data[name]
+
+
+def _probed(prepared, field, name, at, tolerance, **options):
+    """Returns distances at `SurfacePoints` as a result of the kernel. `field` has the distances
+    with this name, and may have their virtual sources and windows."""
+    return call(
+        _kernel.probe,
+        prepared,
+        field.point_data[name],
+        at.in_kernel(),
+        virtual_sources=field.point_data.get("GeodesicVirtualSource"),
+        unreached=field.point_data.get(f"{name}.Unreached"),
+        field_data=field.field_data,
+        distance_array_name=name,
+        projection_tolerance=tolerance,
+        **options,
+    )
 
 
 def field_options(sources, maximum_distance, initial_distances, projection_tolerance):
@@ -160,7 +288,7 @@ def field_options(sources, maximum_distance, initial_distances, projection_toler
 
 def field_of(result, return_source):
     """Returns the distances of a result, and on request the nearest sources."""
-    distances = result.point_data["GeodesicDistance"]
+    distances = result.point_data[_DISTANCE]
     if not return_source:
         return distances
     return distances, result.point_data["GeodesicSource"].astype(np.intp)

@@ -17,10 +17,14 @@ __all__ = ["Error", "VTKError"]
 
 # Arguments of the kernel that have another name in the functions of the package.
 _ARGUMENTS = {
+    "evaluation": "at",
     "first_sample": "first",
     "number_of_iterations": "iterations",
+    "region_array_name": "regions",
     "unreached_value": "unreached",
 }
+# Clauses on field arrays of filters, which lists of curves do not have.
+_STATUS = re.compile(r", and the (value 1 in the )?field array \w+Status( is \d)?")
 
 
 class Error(RuntimeError):
@@ -126,6 +130,7 @@ def render(text, name_of, arrays, quote=""):
 
 def in_arguments(text, names=_ARGUMENTS):
     """Returns a message of the kernel with the names of arguments of the package."""
+    text = _STATUS.sub("", text)
     return render(text, lambda name: names.get(name, name), "on the mesh", "`")
 
 

@@ -161,6 +161,8 @@ class Overloads(ast.NodeTransformer):
         if node.name.startswith("_") and not node.name.startswith("__"):
             return None
         node.body = [ast.Expr(ast.Constant(...))]
+        checks = "arguments.with_flags"
+        node.decorator_list = [d for d in node.decorator_list if ast.unparse(d) != checks]
         others = filter(None, (node.args.vararg, node.args.kwarg))
         for argument in [*node.args.args, *node.args.kwonlyargs, *others]:
             if argument.arg not in ("self", "cls"):

@@ -74,6 +74,12 @@ class Graph(Queries):
     vtkDiscreteGeodesicGraph, vtkDGGDistance, vtkGeodesicDistanceMatrix, vtkDGGPath : filters with
         further options.
 
+    References
+    ----------
+    X. Wang et al., "Discrete geodesic graph (DGG) for computing geodesic distances on polyhedral
+    surfaces", CAGD 52-53, 2017; Z. Fang, "Discrete geodesic graphs", PhD thesis, Nanyang
+    Technological University, 2019.
+
     Examples
     --------
     >>> graph = vtkdgg.Graph([[0, 0, 0], [3, 0, 0], [0, 4, 0]], [[0, 1, 2]])
@@ -86,6 +92,7 @@ class Graph(Queries):
     5.0
     """
 
+    @arguments.with_flags
     def __init__(
         self,
         points: Any,
@@ -153,6 +160,7 @@ class Graph(Queries):
 
         return CloudGraph(points, **options)
 
+    @arguments.with_flags
     def isolines(
         self,
         sources: SurfacePointsLike,
@@ -203,6 +211,7 @@ class Graph(Queries):
             return self._polydata(lines)
         return lines_of(lines, Isoline, value="IsoValue")
 
+    @arguments.with_flags
     def loop(
         self,
         points: Optional[SurfacePointsLike] = None,
@@ -274,7 +283,7 @@ class Graph(Queries):
             self._graph,
             None if points is None else self._points(points, "points").in_kernel(),
             mode=mode,
-            taut=bool(taut),
+            taut=taut,
             projection_tolerance=projection_tolerance,
         )
         return loops

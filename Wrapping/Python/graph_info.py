@@ -52,4 +52,4 @@ def merging(is_merged, tolerance, info=None):
     tolerance = arguments.number(tolerance, "merge_tolerance")
     if info is not None and info.merge_coincident_points and not is_merged:
         return True, info.merge_tolerance
-    return bool(is_merged), tolerance
+    return is_merged, tolerance

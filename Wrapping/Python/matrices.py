@@ -148,6 +148,7 @@ class Matrices(GraphData):
         offsets = np.concatenate([[0], np.cumsum(keep)])[offsets]
         return csr_matrix((distances[keep], columns[keep], offsets), shape=(len(rows), n))
 
+    @arguments.with_flags
     def neighborhood(
         self,
         source: SurfacePointLike,
@@ -185,7 +186,7 @@ class Matrices(GraphData):
         """
         point = arguments.surface_point(source, "source", self._surface, self.is_cloud)
         names = {"maximum_distance": "radius"}
-        found = self._rows(point, radius, bool(correction), projection_tolerance, names=names)
+        found = self._rows(point, radius, correction, projection_tolerance, names=names)
         _, ids, distances = found
         order = np.argsort(distances, kind="stable")
         return ids[order].astype(np.intp), distances[order]

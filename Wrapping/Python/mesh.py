@@ -81,7 +81,7 @@ class Mesh:
         name = "polygons"
         if polygons is None:
             name = "triangles"
-            polygons = _polygons([] if triangles is None else triangles)
+            polygons = polygons_of([] if triangles is None else triangles)
         self.polygons: Cells = checked_cells(polygons, name, len(self.points), 3)
         self.lines: Cells = checked_cells(lines or ([0], []), "lines", len(self.points), 2)
         self.verts: Cells = checked_cells(verts or ([0], []), "verts", len(self.points), 1)
@@ -153,32 +153,32 @@ def _arrays(arrays, name, count):
     return found
 
 
-def _polygons(cells):
+def polygons_of(cells, name="triangles"):
     """Returns offsets and corners of polygons: rows of equal or unequal length, or one row
     [n, i, j, k, n, ...]."""
     if isinstance(cells, (list, tuple)) and len({np.size(row) for row in cells}) > 1:
         sizes = [np.size(row) for row in cells]
         corners = [i for row in cells for i in np.ravel(row)]
     else:
-        array = numbers(cells, "triangles", "integer")
+        array = numbers(cells, name, "integer")
         if array.size == 0 and array.ndim < 2:
             array = np.empty((0, 3), dtype=np.int64)
         if array.ndim == 2:
             if array.shape[1] < 3:
-                raise ValueError(f"triangles: expected the shape (m, 3), got {array.shape}")
+                raise ValueError(f"{name}: expected the shape (m, 3), got {array.shape}")
             if array.shape[1] == 4 and len(array) > 8 and (array[:, 0] == 3).all():
                 raise ValueError(
-                    "triangles: every row of four begins with 3, as rows of VTK do; pass the other "
+                    f"{name}: every row of four begins with 3, as rows of VTK do; pass the other "
                     "three columns"
                 )
             return np.arange(len(array) + 1) * array.shape[1], array
         if array.ndim != 1:
-            raise ValueError(f"triangles: expected the shape (m, 3), got {array.shape}")
-        sizes, corners = unpacked(array)
+            raise ValueError(f"{name}: expected the shape (m, 3), got {array.shape}")
+        sizes, corners = unpacked(array, name)
     return np.concatenate([[0], np.cumsum(sizes)]).astype(np.int64), corners
 
 
-def unpacked(row):
+def unpacked(row, name="triangles"):
     """Returns sizes and corners of cells in one row [n, i, j, k, n, ...]."""
     step = int(row[0]) + 1
     if step > 1 and len(row) % step == 0 and (row[::step] == step - 1).all():
@@ -192,7 +192,7 @@ def unpacked(row):
         at += int(row[at]) + 1
     if at != len(row):
         raise ValueError(
-            "triangles: expected the shape (m, 3), or one row with the number of corners of each "
+            f"{name}: expected the shape (m, 3), or one row with the number of corners of each "
             "polygon before its corners"
         )
     return row[starts], np.delete(row, starts)

@@ -49,11 +49,12 @@ CELL_TYPES = {
 _FLAT = ("triangle", "quad", "polygon")
 
 
-def take(mesh, cells=None, **named):
+def take(mesh, cells=None, optional=(), **named):
     """Returns the mesh as a `Surface`, and the arguments that follow it.
 
     The mesh is one object, or an array of points with `cells`. With one object `cells` is the first
-    of the arguments that follow. A missing argument is None.
+    of the arguments that follow. A missing argument is None, and an error unless its name is in
+    `optional`.
     """
     others = list(named.values())
     found = opened(mesh)
@@ -79,7 +80,7 @@ def take(mesh, cells=None, **named):
             others.insert(0, cells)
         surface = _surface(found)
     for name, other in zip(named, others):
-        if other is None:
+        if other is None and name not in optional:
             raise ValueError(f"{name}: missing")
     return surface, others
 

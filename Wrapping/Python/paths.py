@@ -17,13 +17,14 @@ if TYPE_CHECKING:
 
     from .arguments import SurfacePointLike
 
-__all__ = ["path"]
+__all__ = ["NotConnectedError", "path"]
 
 
 class NotConnectedError(ValueError):
     """No path exists, since the surface does not connect start and end."""
 
 
+@arguments.with_flags
 def path(
     points: Any,
     triangles: Optional[ArrayLike] = None,
@@ -73,8 +74,10 @@ def path(
     Raises
     ------
     ValueError
-        When an array or another argument has the wrong shape or type, a number is not finite, an
-        id does not exist, or start and end are not connected by the surface.
+        When an array or another argument has the wrong shape or type, a number is not finite, or an
+        id does not exist.
+    NotConnectedError
+        A ValueError: when start and end are not connected by the surface.
     Error
         When the mesh cannot be used, or a point is far off the surface.
 
@@ -82,6 +85,12 @@ def path(
     --------
     Graph.path : for many calls on one mesh.
     vtkDGGPath : a filter for many pairs of points.
+
+    References
+    ----------
+    D. T. Lee, F. P. Preparata, "Euclidean shortest paths in the presence of rectilinear barriers",
+    Networks 14, 1984; S.-Q. Xin, G.-J. Wang, "Efficiently determining a locally exact shortest path
+    on polyhedral surfaces", Computer-Aided Design 39, 2007.
 
     Examples
     --------

@@ -7,6 +7,8 @@ from __future__ import annotations
 import sys
 import time
 
+from .checks import check_flag
+
 __all__ = ["show_progress"]
 
 # Seconds before the first line, and between two lines.
@@ -28,6 +30,7 @@ def show_progress(on: bool = True) -> None:
         True shows bars. Default: True.
     """
     global _is_on
+    check_flag(on, "on")
     _is_on = bool(on)
 
 

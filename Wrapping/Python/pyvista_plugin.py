@@ -12,7 +12,8 @@ from typing import Any, Optional
 
 import pyvista
 
-from . import distances, paths, spectral
+from . import distances, graphics, layouts, paths, spectral
+from .arguments import with_flags
 from .cloud_graph import CloudGraph
 from .graph import Graph
 from .reading import read
@@ -51,6 +52,7 @@ class DGGAccessor:
             return _wrapped(self.graph(accuracy).distance, sources, **options)
         return _wrapped(distances.distance, self._mesh, sources, **options)
 
+    @with_flags
     def geodesic(
         self,
         start_vertex: Any,
@@ -74,6 +76,7 @@ class DGGAccessor:
         self._mesh.copy_from(found)
         return self._mesh
 
+    @with_flags
     def geodesic_distance(
         self,
         start_vertex: Any,
@@ -110,6 +113,18 @@ class DGGAccessor:
         """Cells of some sites; see `vtkdgg.Graph.voronoi`."""
         return _wrapped(self.graph(accuracy).voronoi, sites, **options)
 
+    def probe(self, values: Any, at: Any, **options: Any) -> Any:
+        """Points with distances, from the distances or the point array; see `vtkdgg.probe`."""
+        return _wrapped(distances.probe, self._mesh, values, at, **options)
+
+    def patch_boundaries(
+        self, second: Any, first_landmarks: Any, second_landmarks: Any, *layout: Any, **options: Any
+    ) -> Any:
+        """The same curves on this mesh and on a second one; see `vtkdgg.patch_boundaries`."""
+        given = self._mesh, second, first_landmarks, second_landmarks, *layout
+        found = layouts.patch_boundaries(*given, as_polydata=True, **options)
+        return tuple(map(pyvista.wrap, found))
+
     def greens_function(self, sources: Any, **options: Any) -> Any:
         """Green's functions; see `vtkdgg.greens_function`."""
         return _wrapped(spectral.greens_function, self._mesh, sources, **options)
@@ -125,6 +140,10 @@ class DGGAccessor:
     def interpolate(self, sites: Any, values: Any, **options: Any) -> Any:
         """A smooth function with given values; see `vtkdgg.interpolate`."""
         return _wrapped(spectral.interpolate, self._mesh, sites, values, **options)
+
+    def vector_graphics(self, curves: Any = None, **options: Any) -> Any:
+        """The surface in colors of curves and regions; see `vtkdgg.vector_graphics`."""
+        return _wrapped(graphics.vector_graphics, self._mesh, curves, **options)
 
     def _is_cloud(self):
         if isinstance(self._mesh, pyvista.PolyData):

@@ -24,6 +24,7 @@ if TYPE_CHECKING:
 class Queries(Matrices):
     """Queries of a graph for distances, paths, samples and Voronoi cells."""
 
+    @arguments.with_flags
     def distance(
         self,
         sources: SurfacePointsLike,
@@ -81,11 +82,12 @@ class Queries(Matrices):
             initial_distances,
             projection_tolerance,
             unreached_value=unreached,
-            correction=bool(correction),
+            correction=correction,
             generate_nearest_source=True,
         )
         return self._polydata(result) if as_polydata else field_of(result, return_source)
 
+    @arguments.with_flags
     def path(
         self,
         start: SurfacePointLike,
@@ -123,14 +125,16 @@ class Queries(Matrices):
         Raises
         ------
         ValueError
-            When an argument has the wrong shape or type, an id does not exist, or start and end are
-            not connected by the surface.
+            When an argument has the wrong shape or type, or an id does not exist.
+        NotConnectedError
+            A ValueError: when start and end are not connected by the surface.
         Error
             When a point is far off the surface.
         """
         result = self._path(start, end, straighten, detour, projection_tolerance)
         return self._polydata(result) if as_polydata else paths_of(result, 1)[0]
 
+    @arguments.with_flags
     def paths(
         self,
         starts: SurfacePointsLike,
@@ -174,6 +178,7 @@ class Queries(Matrices):
         result = self._find_paths(*sets, straighten, detour, projection_tolerance)
         return self._polydata(result) if as_polydata else paths_of(result, count)
 
+    @arguments.with_flags
     def sample(
         self,
         number_of_samples: int,
@@ -225,6 +230,7 @@ class Queries(Matrices):
             covering_radii=result.point_data["CoveringRadius"],
         )
 
+    @arguments.with_flags
     def voronoi(
         self,
         sites: SurfacePointsLike,
@@ -272,7 +278,7 @@ class Queries(Matrices):
             number_of_samples=count,
             first_sample=arguments.point_id(first, "first", self.number_of_points),
             covering_radius=radius,
-            in_faces=bool(in_faces),
+            in_faces=in_faces,
             projection_tolerance=projection_tolerance,
         )
 
@@ -316,7 +322,7 @@ class Queries(Matrices):
             starts,
             ends,
             self._issued,
-            straighten=bool(straighten),
+            straighten=straighten,
             detour=detour,
             memory_limit=self._memory_limit,
             projection_tolerance=tolerance,

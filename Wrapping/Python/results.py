@@ -5,7 +5,7 @@
 from __future__ import annotations
 
 import dataclasses
-from typing import TYPE_CHECKING, List
+from typing import TYPE_CHECKING, List, Tuple
 
 import numpy as np
 
@@ -14,7 +14,7 @@ from .checks import counted
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-__all__ = ["EarthMovers", "Isoline", "Loop", "Path", "Samples", "Voronoi"]
+__all__ = ["EarthMovers", "Isoline", "Loop", "PatchBoundary", "Path", "Samples", "Voronoi"]
 
 GRAPH_ARRAYS = tuple(
     f"DGG.{role}"
@@ -114,6 +114,39 @@ class Isoline:
 
     def __repr__(self) -> str:
         return f"<vtkdgg.Isoline: value {self.value:g}, {len(self.points)} points>"
+
+
+@dataclasses.dataclass(frozen=True, eq=False, repr=False)
+class PatchBoundary:
+    """A curve of a patch layout, from one landmark to another.
+
+    Attributes
+    ----------
+    points : numpy.ndarray of float64, shape (k, 3)
+        From the first landmark to the second.
+    landmarks : tuple of two int
+        Indices of the two landmarks.
+    length : float
+        In the unit of the points.
+    fractions : numpy.ndarray of float64, shape (k,)
+        Length of the line up to the point, divided by `length`. Points of the same curve on both
+        surfaces correspond if their fractions are equal.
+    faces, barycentric, point_ids, arc_lengths : numpy.ndarray
+        As those of a `Path`.
+    """
+
+    points: NDArray[np.float64]
+    landmarks: Tuple[int, int]
+    length: float
+    fractions: NDArray[np.float64]
+    faces: NDArray[np.int64]
+    barycentric: NDArray[np.float64] | None
+    point_ids: NDArray[np.int64]
+    arc_lengths: NDArray[np.float64]
+
+    def __repr__(self) -> str:
+        first, second = self.landmarks
+        return f"<vtkdgg.PatchBoundary: landmarks {first} and {second}, length {self.length:g}>"
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
@@ -238,14 +271,16 @@ def voronoi_of(points, sites):
 
 def lines_of(result, kind, **names):
     """Returns the polylines of a result of the kernel as objects of the class `kind`. `names` are
-    the cell arrays of its further attributes."""
+    the point or cell arrays of its further attributes."""
     offsets, corners = result.cells["lines"]
     if len(offsets) < 2:
         return []
     points, data = result.points, result.point_data
     per_point = {**surface_points_of(data), "arc_lengths": data["ArcLength"]}
     first = len(result.cells["verts"][0]) - 1  # arrays of cells begin with verts
-    per_line = {key: result.cell_data[name][first:] for key, name in names.items()}
+    per_point.update({key: data[name] for key, name in names.items() if name in data})
+    cells = {key: name for key, name in names.items() if name in result.cell_data}
+    per_line = {key: result.cell_data[name][first:] for key, name in cells.items()}
     lines: List = []
     for i in range(len(offsets) - 1):
         ids = corners[offsets[i] : offsets[i + 1]]
@@ -258,7 +293,13 @@ def lines_of(result, kind, **names):
             kind(
                 points=points[ids],
                 **of_points,
-                **{key: float(values[i]) for key, values in per_line.items()},
+                **{key: _plain(values[i]) for key, values in per_line.items()},
             )
         )
     return lines
+
+
+def _plain(row):
+    """Returns a row of an array as a number, or as a tuple of numbers."""
+    found = row.tolist()
+    return tuple(found) if isinstance(found, list) else found

@@ -23,6 +23,7 @@ if TYPE_CHECKING:
 __all__ = ["biharmonic", "earth_movers", "greens_function", "interpolate"]
 
 
+@arguments.with_flags
 def greens_function(
     points: Any,
     triangles: Optional[ArrayLike] = None,
@@ -74,6 +75,12 @@ def greens_function(
     --------
     vtkDiscreteGreensFunction : a filter with further options.
 
+    References
+    ----------
+    Y. Lipman, R. M. Rustamov, T. A. Funkhouser, "Biharmonic distance", ACM Trans. Graph. 29(3),
+    2010, section 3 ("Vertex"); Z. Fang, "Discrete geodesic graphs", PhD thesis, Nanyang
+    Technological University, 2019, chapter 4 ("Localized").
+
     Examples
     --------
     >>> g = vtkdgg.greens_function(mesh, [0, 10])
@@ -88,6 +95,7 @@ def greens_function(
     return found.answer("GreensFunction", as_polydata)
 
 
+@arguments.with_flags
 def biharmonic(
     points: Any,
     triangles: Optional[ArrayLike] = None,
@@ -150,6 +158,12 @@ def biharmonic(
     --------
     vtkBiharmonicDistance : a filter with further options.
 
+    References
+    ----------
+    Y. Lipman, R. M. Rustamov, T. A. Funkhouser, "Biharmonic distance", ACM Trans. Graph. 29(3),
+    2010, sections 3 and 4; R. R. Coifman, S. Lafon, "Diffusion maps", Appl. Comput. Harmon.
+    Anal. 21, 2006.
+
     Examples
     --------
     >>> d = vtkdgg.biharmonic(mesh, 0)
@@ -171,6 +185,7 @@ def biharmonic(
     return found.answer("BiharmonicDistance", as_polydata)
 
 
+@arguments.with_flags
 def earth_movers(
     points: Any,
     triangles: Optional[ArrayLike] = None,
@@ -221,6 +236,11 @@ def earth_movers(
     --------
     vtkSurfaceEarthMoversDistance : a filter with further options.
 
+    References
+    ----------
+    J. Solomon, R. Rustamov, L. Guibas, A. Butscher, "Earth mover's distances on discrete surfaces",
+    ACM Trans. Graph. 33(4), 2014, section 4.
+
     Examples
     --------
     >>> vtkdgg.earth_movers(mesh, 0, 20).lower_bound <= vtkdgg.path(mesh, 0, 20).length
@@ -231,7 +251,7 @@ def earth_movers(
         **_distribution(surface, start, "start", "from"),
         **_distribution(surface, end, "end", "to"),
         "array_meaning": "Density" if density else "Mass",
-        "normalize": bool(normalize),
+        "normalize": normalize,
         "projection_tolerance": projection_tolerance,
         "tolerance": tolerance,
     }
@@ -247,6 +267,7 @@ def earth_movers(
     )
 
 
+@arguments.with_flags
 def interpolate(
     points: Any,
     triangles: Optional[ArrayLike] = None,
@@ -299,6 +320,12 @@ def interpolate(
     See Also
     --------
     vtkHarmonicBSpline : a filter with further options.
+
+    References
+    ----------
+    P. Feng, J. Warren, "Discrete bi-Laplacians and biharmonic b-splines", ACM Trans. Graph. 31(4),
+    2012; G. Wahba, "Spline interpolation and smoothing on the sphere", SIAM J. Sci. Stat. Comput.
+    2(1), 1981.
 
     Examples
     --------

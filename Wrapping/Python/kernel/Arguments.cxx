@@ -35,12 +35,14 @@ void Arguments::Read(const char* name, bool& value)
 {
   if (const py::object given = this->Take(name))
   {
-    const int truth = PyObject_IsTrue(given.ptr());
-    if (truth < 0)
+    // NumPy has a type of its own, numpy.bool_ or numpy.bool.
+    const bool isFlag = PyBool_Check(given.ptr()) ||
+      std::string(Py_TYPE(given.ptr())->tp_name).rfind("numpy.bool", 0) == 0;
+    if (!isFlag)
     {
-      throw py::error_already_set();
+      Refuse(name, "a bool", given);
     }
-    value = truth != 0;
+    value = PyObject_IsTrue(given.ptr()) == 1;
   }
 }
 

@@ -62,12 +62,16 @@ constexpr const char* IsolinesDocumentation =
   "    used_virtual_sources and number_of_fallbacks, segments that may miss the tolerance.\n\n"
   "Raises\n------\n"
   "Error\n"
-  "    For an invalid distance or option.\n";
+  "    For an invalid distance or option.\n"
+  "\nReferences\n----------\n"
+  R"(J. S. B. Mitchell, D. M. Mount, C. H. Papadimitriou, "The discrete geodesic problem", SIAM J.
+Comput. 16, 1987, section 3; Z. Fang, "Discrete geodesic graphs", PhD thesis, Nanyang Technological
+University, 2019, section 5.3.)";
 
 constexpr const char* ProbeDocumentation =
   "Distances at points anywhere on a surface.\n\n"
   "Parameters\n----------\n"
-  "surface : Surface\n" DGG_FIELD_DOCUMENTATION "points : surface points\n"
+  "surface : Surface\n" DGG_FIELD_DOCUMENTATION "at : surface points\n"
   "projection_tolerance, memory_limit, number_of_threads, progress\n"
   "    See the module.\n\n"
   "Returns\n-------\n"
@@ -75,7 +79,10 @@ constexpr const char* ProbeDocumentation =
   "    Point data: the distance of each point, NaN if unreached.\n\n"
   "Raises\n------\n"
   "Error\n"
-  "    For an invalid distance or point.\n";
+  "    For an invalid distance or point.\n"
+  "\nReferences\n----------\n"
+  R"(J. S. B. Mitchell, D. M. Mount, C. H. Papadimitriou, "The discrete geodesic problem", SIAM J.
+Comput. 16, 1987, section 3.)";
 
 /// Distances, with the windows or virtual sources that interpolate them.
 class Field
@@ -231,7 +238,7 @@ py::object Probe(const Surface& surface, const py::object& distances, const py::
   Arguments arguments(keywords);
   Call call(arguments);
   const Field field(distances, surface, arguments);
-  SurfacePoints probes(points, "probe point", "Points");
+  SurfacePoints probes(points, "probe point", "At");
   probes.ReadTolerance(arguments);
   dgg::Output output;
   call.Run([&] {
@@ -258,7 +265,7 @@ void AddFields(py::module_& module)
 {
   module.def(
     "isolines", &FindIsolines, py::arg("surface"), py::arg("distances"), IsolinesDocumentation);
-  module.def("probe", &Probe, py::arg("surface"), py::arg("distances"), py::arg("points"),
-    ProbeDocumentation);
+  module.def(
+    "probe", &Probe, py::arg("surface"), py::arg("distances"), py::arg("at"), ProbeDocumentation);
 }
 }
