@@ -9,21 +9,26 @@ import os
 import unittest
 
 import vtkdgg
-from vtkdgg import build_info, compat
+from vtkdgg import build_info, compat, python_filters
+from vtkmodules.util.vtkAlgorithm import VTKPythonAlgorithmBase
 
 FOLDER = os.path.dirname(vtkdgg.__file__)
-MODULES = sorted(set(build_info.CLASSES.values()))
+MODULES = sorted(set(build_info.CLASSES.values()))  # none in a wheel
 NAMES = ["check", *vtkdgg._WITHOUT_VTK]
 CLASSES = [name for name in NAMES if inspect.isclass(getattr(vtkdgg, name))]
 FUNCTIONS = [name for name in NAMES if name not in CLASSES]
 
 
+def parsed(module):
+    """Returns the syntax tree of a stub."""
+    with open(os.path.join(FOLDER, f"{module}.pyi"), encoding="utf-8") as file:
+        return ast.parse(file.read())
+
+
 def stub_of(module):
     """Returns the classes of a stub, each with its names."""
-    with open(os.path.join(FOLDER, f"{module}.pyi"), encoding="utf-8") as file:
-        tree = ast.parse(file.read())
     found = {}
-    for node in tree.body:
+    for node in parsed(module).body:
         if isinstance(node, ast.ClassDef):
             found[node.name] = set()
             for part in node.body:
@@ -36,17 +41,32 @@ def stub_of(module):
 
 class Stubs(unittest.TestCase):
     def test_wrapped_classes(self):
-        self.assertGreaterEqual(len(MODULES), 3)
-        seen = set()
         for module in MODULES:
             stub = stub_of(module)
-            seen |= set(stub)
             for name, kind in vars(importlib.import_module(f"vtkdgg.{module}")).items():
                 if isinstance(kind, type):
                     with self.subTest(name):
                         own = {part for part in vars(kind) if not part.startswith("_")}
                         self.assertEqual(stub[name], own)
-        self.assertEqual(set(vtkdgg.__all__), seen | set(NAMES))
+
+    def test_python_filters(self):
+        stub = stub_of("python_filters")
+        self.assertEqual(set(stub), {"PythonFilter", *python_filters.TABLE})
+        of_vtk = set(dir(VTKPythonAlgorithmBase))
+        for name, entry in python_filters.TABLE.items():
+            if "outputs" in entry:
+                kind = python_filters.get(name)
+                declared = set().union(*(stub.get(base.__name__, ()) for base in kind.__mro__))
+                names = {part for part in dir(kind) if part[0].isupper()}
+                with self.subTest(name):
+                    self.assertEqual(declared - of_vtk, names - of_vtk)
+
+    def test_names_of_the_package(self):
+        tree = parsed("__init__")
+        exported = ast.literal_eval(tree.body[-1].value)
+        self.assertEqual(set(exported), {*vtkdgg.__all__, "compat", "explorer", "pictures"})
+        imported = {a.name for n in tree.body if isinstance(n, ast.ImportFrom) for a in n.names}
+        self.assertEqual(imported, set(exported))
 
     def test_overloads(self):
         """Arguments that choose the type of the result have an overload each."""
@@ -63,8 +83,7 @@ class Stubs(unittest.TestCase):
             ("paths", "path", ["vtkPolyData", "Path"]),
             ("spectral", "interpolate", ["vtkPolyData", "NDArray[np.float64]"]),
         ):
-            with open(os.path.join(FOLDER, f"{module}.pyi"), encoding="utf-8") as file:
-                nodes = list(ast.walk(ast.parse(file.read())))
+            nodes = ast.walk(parsed(module))
             found = [n for n in nodes if isinstance(n, ast.FunctionDef) and n.name == name]
             with self.subTest(module, name=name):
                 self.assertEqual([ast.unparse(node.returns) for node in found[:-1]], returned)

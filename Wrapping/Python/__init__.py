@@ -32,7 +32,6 @@ With VTK there are also the filters (``from vtkdgg import vtkExactGeodesicDistan
 
 import importlib
 import importlib.util
-from typing import TYPE_CHECKING
 
 from .build_info import CLASSES
 from .build_info import VERSION as __version__  # noqa: F401
@@ -50,13 +49,6 @@ from .reading import read
 from .results import EarthMovers, Isoline, Loop, PatchBoundary, Path, Samples, Voronoi
 from .spectral import biharmonic, earth_movers, greens_function, interpolate
 from .writing import write
-
-if TYPE_CHECKING:
-    from .pipeline import check
-    from .vtkDGGFiltersGeodesic import *  # noqa: F403
-    from .vtkDGGFiltersPointCloud import *  # noqa: F403
-    from .vtkDGGFiltersSpectral import *  # noqa: F403
-    from .vtkDGGReaders import *  # noqa: F403
 
 # Objects that need VTK, which are imported on first use.
 _OF_VTK = {"check", *CLASSES, *TABLE}

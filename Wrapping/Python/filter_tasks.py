@@ -1,11 +1,14 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
 """Tasks of the Python filters: the function of the kernel that each filter calls, and functions of
-filters that are not properties."""
+filters that are not properties. Annotated functions are in the type stub of the filters."""
+
+from __future__ import annotations
 
 import math
 import operator
 from types import SimpleNamespace
+from typing import TYPE_CHECKING, Iterable, Optional, Sequence, Tuple, Union
 
 import numpy as np
 from vtkmodules.vtkCommonCore import vtkDoubleArray
@@ -26,6 +29,9 @@ from .vtk_output import (
     vtk_array,
     vtk_array_like,
 )
+
+if TYPE_CHECKING:
+    from vtkmodules.vtkCommonCore import vtkIdList
 
 DISTANCE = "GeodesicDistance"
 MAXIMUM_COLUMNS = 10000  # of a table
@@ -67,13 +73,17 @@ def _remove_distances(polydata, name):
 class vtkGeodesicDistanceAlgorithm:
     """Distances from sources. Subclasses have `solver`, a function of the kernel."""
 
-    def AddSourceId(self, i, initial_distance=0.0):
+    def AddSourceId(self, i: int, initial_distance: float = 0.0) -> None:
         """Adds a source with an initial distance."""
         offsets = [*self._offsets(), float(initial_distance)]
         self.change("SourceIds", [*self.get("SourceIds"), operator.index(i)])
         self._initial = offsets
 
-    def SetSourceIds(self, ids, initial_distances=None):
+    def SetSourceIds(
+        self,
+        ids: Union[vtkIdList, Iterable[int], None],
+        initial_distances: Optional[Iterable[float]] = None,
+    ) -> None:
         """Sets sources, each with an initial distance."""
         ids = integers_of(ids)
         offsets = (
@@ -88,13 +98,13 @@ class vtkGeodesicDistanceAlgorithm:
         self.change("SourceIds", ids)
         self._initial = offsets
 
-    def RemoveAllSourceIds(self):
+    def RemoveAllSourceIds(self) -> None:
         """Removes all ids."""
         self.SetSourceIds(None)
 
     RemoveAllSources = remover("SourceIds")
 
-    def GetSourceInitialDistance(self, i):
+    def GetSourceInitialDistance(self, i: int) -> float:
         """Returns the initial distance of a source id; 0 if there is none."""
         return self._offsets()[i] if 0 <= i < len(self._offsets()) else 0.0
 
@@ -189,26 +199,26 @@ class vtkDGGDistance:
 
 @task
 class vtkDGGPath:
-    def AddPair(self, start, end):
+    def AddPair(self, start: int, end: int) -> None:
         """Adds a pair of point ids."""
         self._pairs = [*self._ids(), operator.index(start), operator.index(end)]
         self.Modified()
 
-    def RemoveAllPairs(self):
+    def RemoveAllPairs(self) -> None:
         """Removes all pairs of ids."""
         if self._ids():
             self._pairs = []
             self.Modified()
 
-    def GetNumberOfPairs(self):
+    def GetNumberOfPairs(self) -> int:
         """Returns the number of pairs of ids."""
         return len(self._ids()) // 2
 
-    def GetPairStart(self, i):
+    def GetPairStart(self, i: int) -> int:
         """Returns the start of a pair; -1 if there is none."""
         return self._ids()[2 * i] if 0 <= i < self.GetNumberOfPairs() else -1
 
-    def GetPairEnd(self, i):
+    def GetPairEnd(self, i: int) -> int:
         """Returns the end of a pair; -1 if there is none."""
         return self._ids()[2 * i + 1] if 0 <= i < self.GetNumberOfPairs() else -1
 
@@ -299,12 +309,12 @@ class vtkGeodesicSampler:
 
 @task
 class vtkGeodesicDistanceMatrix:
-    def GetMatrix(self):
+    def GetMatrix(self) -> vtkDoubleArray:
         """Returns the result of the last update; without tuples if there is none."""
         matrix = self._found.get("Matrix")
         return vtkDoubleArray() if matrix is None else matrix
 
-    def ReleaseMatrix(self):
+    def ReleaseMatrix(self) -> None:
         """Releases matrix and table; the next update computes them again."""
         self.set_results(Matrix=None)
         self.GetOutputDataObject(0).ReleaseData()
@@ -445,32 +455,32 @@ class vtkApolloniusIsolines(_DistanceArrayFilter):
     def initial_results(self):
         return {"NumberOfFallbacks": 0, "UsedVirtualSources": False, "UsedWindows": False}
 
-    def SetValue(self, i, value):
+    def SetValue(self, i: int, value: float) -> None:
         """Sets a value of the isolines."""
         values = self.contours()
         values += [0.0] * (i + 1 - len(values))
         values[max(i, 0)] = float(value)
         self._set_contours(values)
 
-    def GetValue(self, i):
+    def GetValue(self, i: int) -> float:
         """Returns a value of the isolines."""
         values = self.contours()
         return values[min(max(i, 0), len(values) - 1)]
 
-    def GetValues(self):
+    def GetValues(self) -> Tuple[float, ...]:
         """Returns the values of the isolines."""
         return tuple(self.contours())
 
-    def SetNumberOfContours(self, number):
+    def SetNumberOfContours(self, number: int) -> None:
         """Sets the number of values. New values are 0."""
         values = self.contours()[: max(number, 0)]
         self._set_contours(values + [0.0] * (number - len(values)))
 
-    def GetNumberOfContours(self):
+    def GetNumberOfContours(self) -> int:
         """Returns the number of values."""
         return len(self.contours())
 
-    def GenerateValues(self, number, *limits):
+    def GenerateValues(self, number: int, *limits: Union[float, Sequence[float]]) -> None:
         """Makes evenly spaced values, including both ends of the range."""
         low, high = limits[0] if len(limits) == 1 else limits
         step = (high - low) / (number - 1) if number > 1 else 0.0
@@ -519,7 +529,7 @@ class _GraphBuilder:
     def initial_results(self):
         return {"NumberOfGraphEdges": 0, "MeanDegree": 0.0, "MemorySize": 0, "InputGraphDamage": ""}
 
-    def ReleaseGraph(self):
+    def ReleaseGraph(self) -> None:
         """Releases the graph that is kept between updates."""
         self._graph = None
 
@@ -548,7 +558,7 @@ class _GraphBuilder:
 
 @task
 class vtkDiscreteGeodesicGraph(_GraphBuilder):
-    def EstimateMemory(self):
+    def EstimateMemory(self) -> int:
         """Predicts the memory of the graph. Returns the number of bytes, 0 after an error."""
         if self.GetNumberOfInputConnections(0):
             self.GetInputAlgorithm().Update(self.GetInputConnection(0, 0).GetIndex())
@@ -596,11 +606,11 @@ class vtkPointCloudDGG(_GraphBuilder):
     def is_cloud(self, polydata):
         return True
 
-    def GetNumberOfComponents(self):
+    def GetNumberOfComponents(self) -> int:
         """Returns the number of components of the last update."""
         return len(self._sizes())
 
-    def GetComponentSize(self, i):
+    def GetComponentSize(self, i: int) -> int:
         """Returns the number of points of a component."""
         return int(self._sizes()[i]) if 0 <= i < len(self._sizes()) else 0
 

@@ -48,15 +48,15 @@ class vtkSpectralAlgorithm:
 class vtkDiscreteGreensFunction:
     solver = kernel.greens_function
 
-    def GetUsedMethod(self, source):
+    def GetUsedMethod(self, source: int) -> int:
         """Returns the method of a source of the last update; -1 if there is none."""
         return self._used(source, "method", -1)
 
-    def GetUsedRadius(self, source):
+    def GetUsedRadius(self, source: int) -> float:
         """Returns the radius of the logarithm of a source; 0 if there is none."""
         return self._used(source, "radius", 0.0)
 
-    def IsNearRidge(self, source):
+    def IsNearRidge(self, source: int) -> bool:
         """Returns true if shortest paths from different sides meet close to a source."""
         return self._used(source, "is_near_ridge", False)
 
@@ -78,7 +78,7 @@ class vtkBiharmonicDistance:
 class vtkHarmonicBSpline:
     solver = kernel.harmonic_spline
 
-    def GetUsedSite(self, i):
+    def GetUsedSite(self, i: int) -> int:
         """Returns a site of the last update as a point id; -1 if there is none."""
         sites = self._found.get("Sites", ())
         return int(sites[i]) if 0 <= i < len(sites) else -1

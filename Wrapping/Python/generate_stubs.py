@@ -1,19 +1,23 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Type stubs of the wrapped modules, from the signatures that VTK's wrappers put into docstrings, and
-of Python sources whose functions return different types, with overloads.
+"""Type stubs of wrapped modules, from the signatures that VTK's wrappers put into docstrings; of the
+Python filters, from the table of properties; of the package; and of Python sources whose functions
+return different types, with overloads.
 
 Usage: generate_stubs.py FOLDER MODULE... SOURCE.py...
 
 Writes FOLDER/MODULE.pyi and FOLDER/SOURCE.pyi. Other Python sources have annotations of their own.
+FOLDER contains build_info.py.
 """
 
 import ast
 import copy
 import importlib
+import json
 import keyword
 import os
 import re
+import runpy
 import sys
 from collections import defaultdict
 
@@ -138,6 +142,11 @@ class Overloads(ast.NodeTransformer):
         node.body[future + 1 : future + 1] = typing
         return node
 
+    def visit_ImportFrom(self, node):
+        """Skips private modules."""
+        node.names = [alias for alias in node.names if alias.name[0] != "_"]
+        return node if node.names else None
+
     def visit_If(self, node):
         """Keeps imports for type checkers without their condition."""
         return node.body
@@ -193,19 +202,170 @@ class Overloads(ast.NodeTransformer):
         return node
 
 
+class FilterStub:
+    """The stub of the Python filters. Functions of properties, ports and values come from the
+    table, all others from the annotated functions of the sources."""
+
+    SOURCES = ("python_filters", "filter_tasks", "filter_tasks_spectral")
+    REMOVER = "Removes all ids and disconnects the input ports of such points."
+    HEADER = """from typing import Iterable, Optional, Sequence, Tuple, Union
+
+from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkIdList
+from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkPolyData, vtkTable
+from vtkmodules.vtkCommonExecutionModel import vtkAlgorithmOutput
+from vtkmodules.vtkFiltersPython import vtkPythonAlgorithm
+
+"""
+    # Types of arguments and results of properties, by their types in the table.
+    ARGUMENTS = {
+        "string": "value: Optional[str]",
+        "vector": "*values: Union[float, Sequence[float]]",
+    }
+    NUMBERS = {"bool": "bool", "int": "int", "id": "int", "double": "float"}
+    RESULTS = {"string": "str", "vector": "Tuple[float, float, float]", **NUMBERS}
+
+    def __init__(self, folder):
+        with open(os.path.join(folder, "property_table.json"), encoding="utf-8") as file:
+            self.table = json.load(file)
+        trees = (parsed(os.path.join(folder, f"{name}.py")) for name in self.SOURCES)
+        nodes = [node for tree in trees for node in tree.body]
+        self.written = {node.name: node for node in nodes if isinstance(node, ast.ClassDef)}
+        self.unavailable = {}  # values that the Python filters do not return
+
+    def text(self):
+        """Returns the text of the stub."""
+        classes = [self.of_class("PythonFilter", "vtkPythonAlgorithm", {})]
+        for name, entry in self.table.items():
+            classes.append(self.of_class(name, entry["base"] or "PythonFilter", entry))
+        return self.HEADER + "".join(classes)
+
+    def of_class(self, name, base, entry):
+        """Returns the text of a class."""
+        lines = [f"\nclass {name}({base}):"]
+        lines += [f"    {key}: int" for key in entry.get("constants", {})]
+        for key, (arguments, returned, doc) in self.functions_of(name, base, entry).items():
+            given = f"self, {arguments}" if arguments else "self"
+            lines.append(f"    def {key}({given}) -> {returned}:")
+            lines.append(f"        {json.dumps(doc)}" if doc else "        ...")
+        return "\n".join(lines + ["    ..."] * (len(lines) == 1)) + "\n"
+
+    def functions_of(self, name, base, entry):
+        """Returns arguments, result and documentation, which may be None, of functions by name."""
+        node = self.written.get(name)
+        mixins = [self.written.get(ast.unparse(b)) for b in node.bases] if node else []
+        parts = [part for kind in (*mixins, node) if kind for part in kind.body]
+        self.unavailable[name] = self.unavailable.get(base, ())
+        for part in parts:
+            if isinstance(part, ast.Assign) and ast.unparse(part.targets[0]) == "unavailable":
+                self.unavailable[name] = ast.literal_eval(part.value)
+        found = {}
+        for key, described in entry.get("properties", {}).items():
+            made = self.of_ids if described["type"] == "ids" else self.of_property
+            for function, signature in made(key, described).items():
+                is_main = function[1:] in (f"et{key}", f"dd{key[:-1]}")  # not On(), for example
+                found[function] = *signature, described["doc"] if is_main else None
+        for key, described in entry.get("values", {}).items():
+            if key not in self.unavailable[name]:
+                kind = type(described["default"]).__name__
+                found[f"Get{key}"] = "", kind, described["doc"]
+        found.update(self.of_ports(entry))
+        for part in parts:
+            if isinstance(part, ast.FunctionDef) and part.name[0].isupper() and part.returns:
+                arguments = ast.unparse(part.args).partition(", ")[2]
+                returned = ast.unparse(part.returns)
+                found[part.name] = arguments, returned, ast.get_docstring(part)
+            elif isinstance(part, ast.Assign) and ast.unparse(part.value).startswith("remover("):
+                found[ast.unparse(part.targets[0])] = "", "None", self.REMOVER
+        return found
+
+    def of_property(self, name, described):
+        """Returns arguments and results of the functions of a property by name."""
+        returned = self.RESULTS[described["type"]]
+        argument = self.ARGUMENTS.get(described["type"], f"value: {returned}")
+        found = {f"Set{name}": (argument, "None"), f"Get{name}": ("", returned)}
+        if described["type"] == "bool":
+            found.update({f"{name}{state}": ("", "None") for state in ("On", "Off")})
+        if "choices" in described:
+            found.update({f"Set{name}To{choice}": ("", "None") for choice in described["choices"]})
+            found[f"Get{name}AsString"] = "", "str"
+        if "range" in described:
+            found.update({f"Get{name}{end}Value": ("", returned) for end in ("Min", "Max")})
+        return found
+
+    def of_ids(self, name, _described):
+        """Returns arguments and results of the functions of a property with ids by name."""
+        return {
+            f"Set{name}": ("ids: Union[vtkIdList, Iterable[int], None]", "None"),
+            f"Add{name[:-1]}": ("i: int", "None"),
+            f"RemoveAll{name}": ("", "None"),
+            f"GetNumberOf{name}": ("", "int"),
+            f"Get{name[:-1]}": ("i: int", "int"),
+        }
+
+    def of_ports(self, entry):
+        """Returns arguments, results and no documentation of the functions of ports by name."""
+        found = {}
+        for name in filter(None, entry.get("inputs", ())):
+            argument = "output: Optional[vtkAlgorithmOutput]"
+            found[f"Set{name}Connection"] = argument, "None", None
+            found[f"Set{name}Data"] = "data: Optional[vtkDataObject]", "None", None
+        outputs = entry.get("outputs", ())
+        if outputs:
+            kinds = {output["type"] for output in outputs}
+            returned = kinds.pop() if len(kinds) == 1 else "vtkDataObject"
+            found["GetOutput"] = "port: int = 0", returned, None
+        for output in outputs:
+            found.update({name: ("", output["type"], None) for name in output["get"]})
+            found.update({name: ("", "vtkAlgorithmOutput", None) for name in output["get_port"]})
+        return found
+
+
+def parsed(path):
+    """Returns the syntax tree of a Python source."""
+    with open(path, encoding="utf-8") as file:
+        return ast.parse(file.read())
+
+
 def stub_of_source(path):
     """Returns the stub of a Python source."""
-    with open(path, encoding="utf-8") as file:
-        tree = ast.parse(file.read())
-    return ast.unparse(ast.fix_missing_locations(Overloads().visit(tree))) + "\n"
+    tree = Overloads().visit(parsed(path))
+    return ast.unparse(ast.fix_missing_locations(tree)) + "\n"
+
+
+def stub_of_package(path, classes):
+    """Returns the stub of the package, which lists its names. `classes` are the modules of compiled
+    classes by name; other filters are Python filters."""
+    tree = parsed(path)
+    lists = [n for n in tree.body if ast.unparse(n).startswith("_WITHOUT_VTK =")]
+    names = ast.literal_eval(lists[0].value)
+    lines = ["from . import compat, explorer, pictures"]
+    for node in tree.body:
+        if isinstance(node, ast.ImportFrom) and node.level:
+            kept = [alias.name for alias in node.names if alias.name in names]
+            lines += [f"from .{node.module} import {', '.join(kept)}"] if kept else []
+    folder = os.path.dirname(path)
+    filters = {name: "python_filters" for name in FilterStub(folder).table}
+    served = {"check": "pipeline", **filters, **classes}
+    for module in sorted(set(served.values())):
+        kept = sorted(name for name in served if served[name] == module)
+        lines.append(f"from .{module} import {', '.join(kept)}")
+    exported = ["compat", "explorer", "pictures", *names, *sorted(served)]
+    return "\n".join([*lines, "", "__version__: str", f"__all__ = {exported}", ""])
 
 
 def main(folder, names):
     """Writes the stubs."""
+    classes = runpy.run_path(os.path.join(folder, "build_info.py"))["CLASSES"]
     for name in names:
         if name.endswith(".py"):
-            text = stub_of_source(name)
-            name = os.path.splitext(os.path.basename(name))[0]
+            path = name
+            name = os.path.splitext(os.path.basename(path))[0]
+            if name == "__init__":
+                text = stub_of_package(path, classes)
+            elif name == "python_filters":
+                text = FilterStub(os.path.dirname(path)).text()
+            else:
+                text = stub_of_source(path)
         else:
             text = Stub(name).text()
         with open(os.path.join(folder, f"{name}.pyi"), "w", encoding="utf-8") as file:

@@ -21,8 +21,7 @@ if TYPE_CHECKING:
 __all__ = ["vector_graphics"]
 
 # Largest refinement level.
-MOST_LEVELS = 8
-_REFINED = ("Everywhere", "NearCurves")
+MAXIMUM_LEVEL = 8
 # Names of cell arrays.
 _REGION, _STRENGTH, _REFINE = "Region", "RegionStrength", "Refine"
 

@@ -1,17 +1,22 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 # SPDX-License-Identifier: BSD-3-Clause
 """The filters for any VTK: Python classes over the kernel, with the names, ports and properties of
-the compiled classes. Classes are made from property_table.json on first use."""
+the compiled classes. Classes are made from property_table.json on first use.
+
+Annotated functions are in the type stub, which generate_stubs.py makes of the same table."""
+
+from __future__ import annotations
 
 import functools
 import math
 import operator
 import re
 from types import SimpleNamespace
+from typing import Optional, Union
 
 from vtkmodules.util.vtkAlgorithm import VTKPythonAlgorithmBase
 from vtkmodules.vtkCommonCore import vtkObject, vtkOutputWindow, vtkTimeStamp
-from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkTable
+from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkPolyData, vtkTable
 from vtkmodules.vtkCommonExecutionModel import (
     vtkAlgorithm,
     vtkDemandDrivenPipeline,
@@ -99,20 +104,20 @@ class PythonFilter(VTKPythonAlgorithmBase):
         info.Set(vtkDataObject.DATA_TYPE_NAME(), self.output_types[port])
         return 1
 
-    def SetInputData(self, *arguments):
+    def SetInputData(self, *arguments: Union[int, vtkDataObject, None]) -> None:
         """Sets the data of a port; without a port, of port 0."""
         port, data = arguments if len(arguments) == 2 else (0, *arguments)
         self.SetInputDataObject(port, data)
 
-    def GetInput(self, port=0):
+    def GetInput(self, port: int = 0) -> Optional[vtkPolyData]:
         """Returns the input of a port."""
         return self.GetInputDataObject(port, 0) if self.GetNumberOfInputConnections(port) else None
 
-    def GetPolyDataInput(self, port):
+    def GetPolyDataInput(self, port: int) -> Optional[vtkPolyData]:
         """Returns the input of a port."""
         return self.GetInput(port)
 
-    def AddInputData(self, *arguments):
+    def AddInputData(self, *arguments: Union[int, vtkDataObject]) -> None:
         """Adds data to a port; without a port, to port 0."""
         port, data = arguments if len(arguments) == 2 else (0, *arguments)
         self.AddInputDataObject(port, data)
@@ -121,7 +126,7 @@ class PythonFilter(VTKPythonAlgorithmBase):
         """Returns the output of a port."""
         return self.GetOutputDataObject(port)
 
-    def GetErrorCode(self):
+    def GetErrorCode(self) -> int:
         """Returns 0, or another number if the last update failed."""
         return self._error_code
 
@@ -366,7 +371,7 @@ class PythonFilter(VTKPythonAlgorithmBase):
         report = self._surfaces[0].surface.describe()
         return "".join(f"{words}: {text}\n" for words, text in report.items())
 
-    def GetMeshReportTable(self):
+    def GetMeshReportTable(self) -> vtkTable:
         """Returns the report as a table with one row."""
         table = vtkTable()
         for name, value in self._report().items():
