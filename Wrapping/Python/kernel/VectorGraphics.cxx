@@ -145,7 +145,8 @@ struct Drawing
   /// Returns the points of curves, which are to be located.
   SurfacePoints Select(const std::vector<dgg::Offset>& ids) const
   {
-    SurfacePoints points(py::none(), "curve point", "Curves");
+    // Not py::none(), which counts a reference: the caller has released Python's lock.
+    SurfacePoints points(Py_None, "curve point", "Curves");
     dgg::SourceCollection& collection = points.GetCollection();
     collection.Indices = ids;
     for (const dgg::Offset id : ids)
