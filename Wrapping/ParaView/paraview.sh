@@ -21,7 +21,7 @@ source "$(dirname "${BASH_SOURCE[0]}")/../../Testing/setup.sh"
 
 # Packages that build a plugin, including missing dependencies of Debian's ParaView.
 builds=(build-essential cmake ninja-build libeigen3-dev libnanoflann-dev libspectra-dev)
-paraview=(paraview paraview-dev python3-paraview libqt5svg5-dev qtxmlpatterns5-dev-tools)
+paraview=(paraview paraview-dev python3-paraview)
 
 build="$DGG_ROOT/build/paraview"
 test=OFF
@@ -73,7 +73,7 @@ unpack() {
   command -v apt-get >/dev/null && command -v dpkg-deb >/dev/null ||
     without "this is not a Debian-like system. Install ParaView with its development files and" \
       "name its folder: -DCMAKE_PREFIX_PATH=FOLDER"
-  echo "Downloading ${paraview[*]} and what they need ..."
+  echo "Downloading ParaView ..."
   local archives="$build/archives"
   mkdir -p "$archives/partial"
   # Installing these packages would remove python3-vtk9. Since nothing is installed, neither a lock
@@ -88,6 +88,10 @@ unpack() {
   rm -rf "$root.part"
   find "$archives" -name '*.deb' -print0 | xargs -0 -I '{}' dpkg-deb -x '{}' "$root.part" ||
     dgg_fail "could not unpack ParaView in $root.part"
+  rm -rf "$root.part"/usr/lib/python3.* # pvpython would look there for all modules of Python
+  # CMake files of Debian 13 name ParaView's modules without the suffix of Python's version.
+  find "$root.part/usr/lib/python3/dist-packages/"{paraview,vtkmodules} -name '*.cpython-*.so' \
+    -exec sh -c 'ln -s "${0##*/}" "${0%%.cpython-*}.so"' '{}' ';'
   mv "$root.part" "$root"
   rm -rf "$archives"
 }
@@ -95,16 +99,25 @@ unpack() {
 [ "$package" = OFF ] || builds+=(file) # which CPack asks
 [ "$test" = OFF ] || builds+=(pybind11-dev python3-dev) # the Python plugin
 dgg_install "${builds[@]}"
+if [[ "$(apt-cache depends paraview 2>/dev/null)" = *libqt6* ]]; then # Debian 13
+  paraview+=(qt6-5compat-dev qt6-base-dev qt6-svg-dev qt6-svg-plugins qt6-tools-dev)
+else
+  paraview+=(libqt5svg5-dev qtxmlpatterns5-dev-tools)
+fi
 if [ ! -d "$root" ] && is_usable "$@"; then
   echo "Using the ParaView in $(cat "$build/found")"
   libraries=
-elif [ ! -d "$root" ] && dgg_is_installed python3-paraview; then
-  # The installation of the other packages would remove it.
+elif [ ! -d "$root" ] && dgg_is_installed python3-paraview &&
+  ! dpkg-query -W "${paraview[@]}" >/dev/null 2>&1; then
   dgg_fail "ParaView is installed, but not all that builds plugins for it. Please install" \
     "${paraview[*]}; the output of CMake is in $build/probe.log"
 else
-  # Other packages, from PCL to Qt, are those that the libraries need.
-  dgg_install "${DGG_PACKAGES[@]}"
+  if dgg_is_installed python3-paraview; then
+    paraview=(--reinstall paraview paraview-dev python3-paraview) # a copy, to be repaired
+  else
+    # Other packages, from PCL to Qt, are those that the libraries need.
+    dgg_install "${DGG_PACKAGES[@]}"
+  fi
   [ -d "$root" ] || unpack
   echo "Using the ParaView in $root/usr/bin"
   echo "$root/usr/bin" >"$build/found"
@@ -136,9 +149,9 @@ prepend() { printf 'export %s="%s${%s:+:$%s}"\n' "$1" "$2" "$1" "$1"; }
   prepend PATH "$(cat "$build/found")"
   prepend PV_PLUGIN_PATH "$(dirname "$plugin")"
   if [ -n "$libraries" ]; then
-    prepend LD_LIBRARY_PATH "$libraries"
+    prepend LD_LIBRARY_PATH "$libraries:$libraries/libproxy" # which the GUI needs on Debian 13
     prepend PYTHONPATH "$root/usr/lib/python3/dist-packages"
-    prepend QT_PLUGIN_PATH "$libraries/qt5/plugins"
+    prepend QT_PLUGIN_PATH "$(echo "$libraries"/qt?/plugins)"
   fi
   echo 'exec "$@"'
 } >"$build/run"
