@@ -39,7 +39,9 @@ class Page(unittest.TestCase):
         self.addCleanup(os.chdir, before)
         names = {"plugin": support.PLUGIN}
         path = re.search(r'LoadPlugin\("(.*?)"', load)[1]
-        self.assertTrue(support.PLUGIN.endswith(path.partition("/lib/")[2]))
+        version = simple.GetParaViewVersion()
+        built = path.replace("5.11", f"{version.major}.{version.minor}")
+        self.assertTrue(support.PLUGIN.endswith(built.partition("/lib/")[2]))
         exec(load.replace(path, support.PLUGIN), {})
         exec(session, names)
         self.assertTrue(os.path.getsize("session.png") > 1000)
@@ -48,6 +50,7 @@ class Page(unittest.TestCase):
         names["distance"].Source.Center = [0, 1, 0]
         self.assertEqual(support.fetch(names["distance"]).GetNumberOfPoints(), 0)
 
+    @unittest.skipIf(os.environ["DGG_QT_VERSION"] > "5", "ParaView builds help only with Qt 5")
     def test_help_has_the_pages(self):
         pages = support.OUTPUT.parents[1] / "Wrapping/ParaView/Geodesics/paraview_help"
         for name in ("GeodesicPage", "SpectralPage", "ParaViewPage", "filters.GeodesicDistance"):
