@@ -191,7 +191,7 @@ TEST_F(DiscreteGeodesicGraph, AGraphOnTheInputIsPassedOn)
   // An outdated graph is replaced with a warning.
   surface->GetPoints()->SetPoint(0, 0.0, 0.0, 0.01);
   surface->GetPoints()->Modified();
-  ExpectWarning(this->Filter, { "the graph on the input is out of date", "new graph" });
+  ExpectWarning(this->Filter, { "the graph on the input is out of date", "replaces it" });
   this->Filter->Modified();
   ExpectSuccess(this->Filter); // reported only once
   EXPECT_EQ(
