@@ -23,9 +23,9 @@
  * On a cloud, outputs 1 and 2 are empty and output 3 has no CellArea.
  *
  * <b>Guarantee and cost</b>. Distances at points of the input are within the accuracy of the graph,
- * if its rule has a guarantee. Borders are straight in each triangle, which is exact on flat parts;
- * borders that pass a point within 1e-5 of an edge pass through it. If triangles are as large as
- * cells, subdivide the surface first.
+ * if its rule has a guarantee. Borders are straight in each triangle and have no error bound; those
+ * that pass a point within 1e-5 of an edge pass through it. If triangles are as large as cells,
+ * subdivide the surface first.
  *
  * <b>Errors</b>. All errors of vtkGeodesicAlgorithm; no site; an id out of range; a site that is
  * not finite or beyond ProjectionTolerance; an array name that is empty or used twice; a graph

@@ -156,7 +156,8 @@ class Functions(support.Test):
             ({"second": self.points, "edges": [[0, 1]]}, "second: expected one mesh"),
             ({"landmarks": [0, 1, 642], "edges": [[0, 1]]}, "second_landmarks: point id 642"),
             ({"edges": [[0, 1, 2]]}, r"edges: expected the shape \(m, 2\), got \(1, 3\)"),
-            ({"patches": [[0, 1]]}, r"patches: expected the shape \(m, 3\)"),
+            ({"patches": [[0, 1]]}, "patches: expected rows of at least three"),
+            ({"patches": [0, 1, 2]}, "patches: expected rows of at least three"),
             ({"patches": [[0, 1, 1.5]]}, "patches: expected integers"),
         )
         self.refuse(

@@ -185,7 +185,8 @@ class OnABumpySphere(support.Test):
                 self.assertTrue((np.diff(distances) >= 0.0).all())
         for source, expected in ((7, [7]), (self.near[0], [])):
             self.assertEqual(self.graph.neighborhood(source, 0.0)[0].tolist(), expected)
-        self.refuse(self.graph.neighborhood, ((7, -1.0), "radius"), (([7, 8], 1.0), "source"))
+        wrong = ((7, None), "radius"), ((7, -1.0), "radius"), (([7, 8], 1.0), "source")
+        self.refuse(self.graph.neighborhood, *wrong)
 
     def test_preparations_are_kept(self):
         """Queries do not prepare the mesh or the graph again, and searches reuse their data. Ids
@@ -219,7 +220,8 @@ class OnABumpySphere(support.Test):
         self.assertLessEqual(coarse.covering_radii[-1], 0.2 * self.size)
         self.assertLess(len(coarse.points), 600)
         self.assertEqual(self.graph.sample(9, as_polydata=True).GetNumberOfPoints(), 9)
-        self.refuse(self.graph.sample, ((0,), "`number_of_samples` is 0. Use a number of at least 1"))
+        few = "`number_of_samples` is 0. Use a number of at least 1"
+        self.refuse(self.graph.sample, ((None,), "expected an integer"), ((0,), few))
 
     def test_voronoi(self):
         sites = [5, 17, 318]

@@ -258,9 +258,7 @@ def finite_numbers(values, name, count):
 
 
 def number(value, name):
-    """Returns one number; None for None. Text is an error, also if it looks like a number."""
-    if value is None:
-        return None
+    """Returns one number. Text is an error, also if it looks like a number."""
     try:
         if isinstance(value, (str, bytes)):
             raise TypeError
@@ -285,9 +283,7 @@ def with_flags(function: Function) -> Function:
 
 
 def integer(value, name):
-    """Returns one integer of 32 bits; None for None."""
-    if value is None:
-        return None
+    """Returns one integer of 32 bits."""
     try:
         result = operator.index(value)
     except TypeError:

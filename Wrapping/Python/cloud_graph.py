@@ -97,6 +97,8 @@ class CloudGraph(Queries):
                 self._take(cloud.copy(), graph, limit, True, issued)
                 return
             except Error as error:
+                if error.reason == "OutOfMemory":
+                    raise
                 warn([f"{error} Another one is built."], issued)
             scheme, accuracy = info.construction, info.accuracy
         if normals is not None:

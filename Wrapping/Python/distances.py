@@ -276,8 +276,8 @@ def _probed(prepared, field, name, at, tolerance, **options):
 def field_options(sources, maximum_distance, initial_distances, projection_tolerance):
     """Returns the options that distances of the kernel have in common, after their check."""
     options = {
-        "maximum_distance": arguments.number(maximum_distance, "maximum_distance"),
-        "projection_tolerance": arguments.number(projection_tolerance, "projection_tolerance"),
+        "maximum_distance": maximum_distance,
+        "projection_tolerance": projection_tolerance,
     }
     if initial_distances is not None:
         count = len(sources)

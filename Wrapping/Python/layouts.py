@@ -11,7 +11,6 @@ import numpy as np
 from . import _kernel, arguments, meshes
 from .errors import call
 from .graph_info import merging
-from .mesh import polygons_of
 from .results import PatchBoundary, lines_of
 
 if TYPE_CHECKING:
@@ -97,8 +96,7 @@ def patch_boundaries(
         raise ValueError("patches: missing; pass landmarks around patches, or `edges`")
     options = {"projection_tolerance": projection_tolerance}
     if patches is not None:
-        offsets, corners = polygons_of(patches, "patches")
-        options["patches"] = offsets, np.ravel(corners)
+        options["patches"] = _patches(patches)
     if edges is not None:
         options["edges"] = _edges(edges)
     how = merging(merge_coincident_points, merge_tolerance)
@@ -118,6 +116,18 @@ def _side(name, mesh, landmarks):
     surface, _ = meshes.take(found)
     points = arguments.surface_points(landmarks, f"{name}_landmarks", surface)
     return surface, points.in_kernel()
+
+
+def _patches(patches):
+    """Returns offsets and landmarks of patches: rows of equal or unequal length."""
+    if not isinstance(patches, (list, tuple, np.ndarray)):
+        raise ValueError(f"patches: expected rows of landmarks, got {patches!r}")
+    rows = [arguments.numbers(row, "patches", "integer") for row in patches]
+    if any(row.ndim != 1 or len(row) < 3 for row in rows):
+        raise ValueError(
+            "patches: expected rows of at least three landmarks each, such as [[0, 1, 2]]"
+        )
+    return np.cumsum([0, *map(len, rows)]), np.concatenate([*rows, np.empty(0, dtype=np.int64)])
 
 
 def _edges(edges):

@@ -186,6 +186,7 @@ class Matrices(GraphData):
         """
         point = arguments.surface_point(source, "source", self._surface, self.is_cloud)
         names = {"maximum_distance": "radius"}
+        radius = arguments.number(radius, "radius")
         found = self._rows(point, radius, correction, projection_tolerance, names=names)
         _, ids, distances = found
         order = np.argsort(distances, kind="stable")

@@ -275,16 +275,16 @@ class Queries(Matrices):
             _kernel.samples,
             self._graph,
             None if start is None else self._points(start, "start").in_kernel(),
-            number_of_samples=count,
+            number_of_samples=arguments.integer(count, "number_of_samples"),
             first_sample=arguments.point_id(first, "first", self.number_of_points),
-            covering_radius=radius,
+            covering_radius=arguments.number(radius, "covering_radius"),
             in_faces=in_faces,
             projection_tolerance=projection_tolerance,
         )
 
     def _divide(self, sites, iterations, projection_tolerance):
         """Returns the four results of the kernel: surface, borders, cells and moved sites."""
-        iterations = arguments.integer(iterations, "iterations") or 0
+        iterations = arguments.integer(iterations, "iterations")
         return self._call(
             _kernel.voronoi,
             self._graph,

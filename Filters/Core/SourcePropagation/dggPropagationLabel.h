@@ -142,14 +142,14 @@ DGG_INLINE void UnfoldTo(int side, PropagationLabel& label, const PropagationFac
 /// differences. Without a tolerance, errors on scans double; without the limit for thin faces,
 /// which a path may cross one after the other, distances on CAD models are up to 55 % too short.
 constexpr float ShadowTolerance = 0.05F;
-constexpr float ThinFace = 5.0F; ///< edge length of a thin face, in heights
+constexpr float ThinFaceAspect = 5.0F; ///< edge length of a thin face, in heights
 
 /// Moves a source so that it does not reach an end of the axis earlier than the distance known so
 /// far. `height` is that of the face behind the axis.
 DGG_INLINE void StayOutOfShadows(
   PropagationLabel& label, float length, float height, float knownA, float knownB)
 {
-  const float tolerance = ShadowTolerance * std::min(length, ThinFace * height);
+  const float tolerance = ShadowTolerance * std::min(length, ThinFaceAspect * height);
   float a = PlaneLength(label.X, label.Y);
   float b = PlaneLength(length - label.X, label.Y);
   const bool isHiddenA = knownA < UnreachedKey && knownA - label.Offset > a + tolerance;

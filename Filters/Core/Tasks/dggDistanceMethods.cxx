@@ -36,6 +36,10 @@ constexpr double LargestRadius = 1000.0;
 ///@}
 
 constexpr Offset VerticesPerBlock = 4096;
+/// Largest number of sources whose straight lines bound propagated distances, and tolerance at the
+/// maximum distance in mean edges.
+constexpr std::size_t MostStraightSources = 8;
+constexpr double DistanceSlack = 1e-6;
 
 /// Moves distances and their sources to a task.
 template <typename Result>
@@ -68,49 +72,56 @@ std::string DescribeHeatQuality(const PreparedSurface& surface, double factor, I
       : "" });
 }
 
-/// Raises distances below the straight line in space to the nearest source, which is known if there
-/// is one source or nearest sources are wanted. Farther vertices than the maximum distance stay
-/// reached.
+/// Raises distances below the straight line in space to the nearest of a few sources.
 void KeepAboveStraightLine(const TaskContext& context, const std::vector<GeodesicSource>& sources,
   double maximum, PropagationResult& result)
 {
-  if (sources.size() != 1 && result.NearestSource.empty())
+  if (sources.size() > MostStraightSources)
   {
     return;
   }
   const SurfaceMesh& mesh = context.Surface.GetMeshWithoutAngles();
   const double unit = mesh.GetMeanEdgeLength(); // squares of coordinates may overflow
   const double* positions = context.Surface.GetPositions();
-  std::vector<std::array<double, 3>> places;
-  places.reserve(sources.size());
+  std::vector<std::array<double, 3>> sourcePositions;
+  sourcePositions.reserve(sources.size());
   for (const GeodesicSource& source : sources)
   {
-    places.push_back(PositionOf(mesh, source.Point, positions));
+    sourcePositions.push_back(PositionOf(mesh, source.Point, positions));
   }
+  const auto straightLine = [&](Offset v) {
+    const double* p = positions + 3 * v;
+    double least = Infinity;
+    for (std::size_t k = 0; k < sources.size(); ++k)
+    {
+      const double x = (p[0] - sourcePositions[k][0]) / unit;
+      const double y = (p[1] - sourcePositions[k][1]) / unit;
+      const double z = (p[2] - sourcePositions[k][2]) / unit;
+      const double length = unit * std::sqrt(x * x + y * y + z * z);
+      least = std::min(least, sources[k].InitialDistance + length);
+    }
+    return least;
+  };
   const auto size = static_cast<Offset>(result.Distances.size());
   ForRange(context.Parallel, size, VerticesPerBlock, [&](Offset begin, Offset end) {
     for (Offset v = begin; v < end; ++v)
     {
-      if (!(result.Distances[v] < maximum))
+      const double straight = straightLine(v);
+      const double raise = straight - result.Distances[v];
+      if (!(raise > 0.0))
       {
         continue;
       }
-      const Id root = result.NearestSource.empty() ? 0 : result.NearestSource[v];
-      const double* p = positions + 3 * v;
-      const std::array<double, 3>& q = places[root];
-      const double x = (p[0] - q[0]) / unit;
-      const double y = (p[1] - q[1]) / unit;
-      const double z = (p[2] - q[2]) / unit;
-      const double straight =
-        sources[root].InitialDistance + unit * std::sqrt(x * x + y * y + z * z);
-      const double raise = std::min(straight, maximum) - result.Distances[v];
-      if (raise > 0.0)
+      // Rounding must not move a vertex beyond the maximum distance.
+      const bool isReached = straight <= maximum + DistanceSlack * unit;
+      result.Distances[v] = isReached ? std::min(straight, maximum) : Infinity;
+      if (!result.NearestSource.empty() && !isReached)
       {
-        result.Distances[v] += raise;
-        if (!result.Virtual.empty())
-        {
-          result.Virtual[v].Offset += raise;
-        }
+        result.NearestSource[v] = NoId;
+      }
+      if (!result.Virtual.empty())
+      {
+        result.Virtual[v].Offset = result.Distances[v] - result.Virtual[v].Length;
       }
     }
   });

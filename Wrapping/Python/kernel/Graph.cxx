@@ -290,6 +290,10 @@ std::shared_ptr<Graph> Graph::ReadOrBuild(
         usesStored = true;
         return status.IsOk() ? status : dgg::RequireCloudGraph(status.GetProblem());
       }
+      if (status.GetCode() == dgg::Status::Code::OutOfMemory)
+      {
+        return status;
+      }
       const dgg::GraphInfo& info = stored.GetView().Info;
       usesStored = status.IsOk() && !(mustMatch && !dgg::IsBuiltWith(info, options));
       warning = !status.IsOk()        ? dgg::DescribeReplacement(status.GetProblem(), options)
