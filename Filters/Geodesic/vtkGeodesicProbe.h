@@ -12,8 +12,9 @@
  *
  * <b>Guarantee and cost</b>. Exact with windows (vtkExactGeodesicDistance::GenerateWindowsOn()).
  * With virtual sources (GenerateVirtualSourceOn() of any distance filter), or those fitted to the
- * distances, more accurate than linear interpolation but without a bound: in long triangles, as in
- * CAD models, errors may be half of the largest distance. A warning recommends windows if
+ * distances, without a bound: more accurate than linear interpolation if sources are many edges
+ * apart, and less accurate between sources a few edges apart. In long triangles, as in CAD models,
+ * errors may be as large as the largest distance. A warning recommends windows if
  * GetMeanAnisotropy() is above 2. There is one search in the surface per point.
  *
  * <b>Errors</b>. All errors of vtkGeodesicAlgorithm; no points on port 1; a point that is not

@@ -106,6 +106,9 @@ class FromPolydata(support.Test):
             graph = vtkdgg.Graph.from_polydata(self.mesh)
         self.assertEqual((caught.filename, graph.accuracy), (__file__, 0.03))
         np.testing.assert_allclose(graph.distance(11), 2.0 * self.expected, rtol=1e-6)
+        for function in (vtkdgg.distance, lambda *given: vtkdgg.path(*given, 12)):
+            with self.assertWarnsRegex(RuntimeWarning, "out of date.* 0.03"):
+                function(self.mesh, 11)
 
     def test_damaged(self):
         """Damage is a warning: another graph is built. Without parameters, it is an error."""

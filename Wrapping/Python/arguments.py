@@ -258,9 +258,9 @@ def finite_numbers(values, name, count):
 
 
 def number(value, name):
-    """Returns one number. Text is an error, also if it looks like a number."""
+    """Returns one number. Text is an error, also if it looks like a number, and so is a bool."""
     try:
-        if isinstance(value, (str, bytes)):
+        if isinstance(value, (str, bytes, bool, np.bool_)):
             raise TypeError
         return float(value)
     except (TypeError, ValueError, OverflowError):
@@ -283,8 +283,10 @@ def with_flags(function: Function) -> Function:
 
 
 def integer(value, name):
-    """Returns one integer of 32 bits."""
+    """Returns one integer of 32 bits. A bool is an error."""
     try:
+        if isinstance(value, (bool, np.bool_)):
+            raise TypeError
         result = operator.index(value)
     except TypeError:
         raise ValueError(f"{name}: expected an integer, got {value!r}") from None

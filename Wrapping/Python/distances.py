@@ -11,7 +11,7 @@ import numpy as np
 
 from . import _kernel, arguments, meshes
 from .errors import call
-from .graph_info import arrays_of, choose_method, merging
+from .graph_info import choose_method, find_or_build, merging
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
@@ -163,8 +163,7 @@ def distance(
         raise ValueError("at: applies to meshes, not to point clouds")
     target = prepared = surface.prepared(*how, is_cloud)
     if method == "graph":
-        stored = arrays_of(surface.field_data)
-        target = call(_kernel.Graph, target, stored=stored, accuracy=accuracy)
+        target = find_or_build(surface, target, accuracy, info)
     options["generate_nearest_source"] = return_source
     if at is not None:
         options["unreached_value"] = np.nan
@@ -217,7 +216,8 @@ def probe(
     -------
     numpy.ndarray of float64, shape (p,), or vtkPolyData
         In the unit of `distances`; NaN in triangles with an unreached corner. Exact with windows;
-        otherwise more accurate than linear interpolation, but without an error bound.
+        otherwise without an error bound: more accurate than linear interpolation if the
+        sources are many edges apart, less accurate between sources a few edges apart.
 
     Raises
     ------

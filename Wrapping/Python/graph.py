@@ -11,7 +11,7 @@ import numpy as np
 from . import _kernel, arguments, meshes
 from .errors import call
 from .graph_data import require_graph
-from .graph_info import arrays_of, find_info, merging
+from .graph_info import arrays_of, find_info, merging, options_like
 from .queries import Queries
 from .results import Isoline, Loop, lines_of
 
@@ -256,10 +256,7 @@ class Graph(Queries):
     def _find_or_build(self, surface, how, limit, options, must_match):
         """Takes the graph on a surface, or else builds one. `options` are those of the kernel."""
         info = find_info(surface.field_data)
-        if not options and info is not None and not info.is_cloud:
-            names = ("construction", "accuracy", "number_of_neighbors")
-            options = {name: getattr(info, name) for name in names}
-            options["accept_coarser_graph"] = True
+        options = options or options_like(info)
         issued = set()
         prepared = surface.prepared(*merging(*how, None if must_match else info), issued=issued)
         graph = call(

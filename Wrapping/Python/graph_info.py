@@ -3,6 +3,7 @@
 """The graph in the field data of a surface: how it was built, and whether functions use it."""
 
 from . import _kernel, arguments
+from .errors import call
 
 PREFIX = "DGG."
 
@@ -23,6 +24,22 @@ def find_info(field_data):
         return _kernel.graph_info(arrays_of(field_data))
     except _kernel.Error:
         return None
+
+
+def options_like(info):
+    """Returns the options that build a graph like the one with these parameters; {} without one of
+    a mesh."""
+    if info is None or info.is_cloud:
+        return {}
+    names = ("construction", "accuracy", "number_of_neighbors")
+    return {"accept_coarser_graph": True, **{name: getattr(info, name) for name in names}}
+
+
+def find_or_build(surface, prepared, accuracy, info):
+    """Returns the graph on a surface. Without a usable one, returns a graph of the given accuracy,
+    or else like the one on the surface."""
+    options = options_like(info) if accuracy is None else {"accuracy": accuracy}
+    return call(_kernel.Graph, prepared, stored=arrays_of(surface.field_data), **options)
 
 
 def choose_method(method, accuracy, surface, methods):

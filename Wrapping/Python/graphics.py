@@ -130,6 +130,8 @@ def vector_graphics(
     }
     if width is not None:
         options["width"] = width
+    if regions is None and region_strengths is not None:
+        raise ValueError("regions: missing; `region_strengths` need regions")
     if regions is not None:
         options["region_array_name"] = _REGION
         cell_data[_REGION] = _per_cell(surface, regions, "regions", "integer")
@@ -152,7 +154,8 @@ def _per_cell(surface, values, name, kind="number"):
     """Returns an array of numbers with a row for each cell."""
     array = np.asarray(values)
     array = arguments.numbers(array.astype(int) if array.dtype == bool else array, name, kind)
-    if len(np.atleast_1d(array)) != surface.number_of_cells:
+    has_one = array.ndim < 2 or array.shape[1] == 1 or kind == "number"
+    if not has_one or len(np.atleast_1d(array)) != surface.number_of_cells:
         cells = counted(surface.number_of_cells, "row")
         raise ValueError(f"{name}: expected {cells}, one for each cell, got shape {array.shape}")
     return array
@@ -167,6 +170,9 @@ def _drawing(curves):
             f"curves: expected a Mesh, a file name or a vtkPolyData with lines, got a {kind}"
         )
     data = meshes.take(found)[0].data
+    for name, values in {**data.point_data, **data.cell_data}.items():
+        if np.asarray(values).dtype == bool and name.endswith("Color"):
+            raise ValueError(f"curves: the array {name!r} has the type bool; expected numbers")
     first = len(data.cells["verts"][0]) - 1  # arrays of cells begin with verts
     lines = slice(first, first + len(data.cells["lines"][0]) - 1)
     return {

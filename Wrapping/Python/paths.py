@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, Optional, Union
 
 from . import _kernel, arguments, meshes
 from .errors import call
-from .graph_info import arrays_of, choose_method, merging
+from .graph_info import choose_method, find_or_build, merging
 from .results import Path, lines_of
 
 if TYPE_CHECKING:
@@ -107,8 +107,7 @@ def path(
     options = {"projection_tolerance": projection_tolerance}
     target = surface.prepared(*how, info is not None and info.is_cloud)
     if method == "graph":
-        stored = arrays_of(surface.field_data)
-        target = call(_kernel.Graph, target, stored=stored, accuracy=accuracy)
+        target = find_or_build(surface, target, accuracy, info)
     else:
         options["method"] = "Exact"
     result = find(target, start, end, **options)
