@@ -14,6 +14,7 @@ import numpy as np
 from vtkmodules.vtkCommonCore import vtkDoubleArray
 from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkDataSetAttributes, vtkPolyData, vtkTable
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
+from vtkmodules.vtkCommonMisc import vtkContourValues
 
 from . import _kernel as kernel
 from .python_filters import TimeStamps, integers_of, property_of
@@ -482,9 +483,9 @@ class vtkApolloniusIsolines(_DistanceArrayFilter):
 
     def GenerateValues(self, number: int, *limits: Union[float, Sequence[float]]) -> None:
         """Makes evenly spaced values, including both ends of the range."""
-        low, high = limits[0] if len(limits) == 1 else limits
-        step = (high - low) / (number - 1) if number > 1 else 0.0
-        self._set_contours([low + i * step for i in range(number)])
+        values = vtkContourValues()
+        values.GenerateValues(number, *limits)
+        self._set_contours([values.GetValue(i) for i in range(number)])
 
     def contours(self):
         return list(getattr(self, "_contours", [0.0]))
