@@ -210,6 +210,30 @@ class ClosedForms(unittest.TestCase):
         for lines in both:
             np.testing.assert_allclose(lines.cell_data["Length"], [20, math.hypot(20, 20)])
 
+    def test_cloud_size(self):
+        """Components of a cloud with sparse and dense parts are those of all pairs within the
+        gap."""
+        draw = np.random.default_rng(2)
+        counts = set()
+        for gap in (1.1, 1.5, 2.0, 5.0):  # not 1: a spacing is the length of a pair
+            points = np.concatenate([draw.random((300, 3)), 0.5 + 1e-3 * draw.random((200, 3))])
+            points[0] = np.nan
+            spacing, count = kernel.cloud_size(points, gap=gap)
+            finite = points[1:]
+            lengths = np.linalg.norm(finite[:, None] - finite, axis=2)
+            self.assertAlmostEqual(spacing, np.median(np.sort(lengths)[:, 4]))
+            labels = np.arange(len(finite))
+            near = lengths <= gap * spacing
+            while True:
+                least = np.where(near, labels, len(finite)).min(axis=1)
+                if (least == labels).all():
+                    break
+                labels = least
+            self.assertEqual(count, len(np.unique(labels)))
+            counts.add(count)
+        self.assertGreater(len(counts), 2)
+        self.assertEqual(kernel.cloud_size(np.zeros((0, 3)), gap=5.0), (0.0, 0))
+
     @unittest.skipUnless(hasattr(kernel, "cloud_graph"), "built without point clouds")
     def test_clouds(self):
         cloud = kernel.Surface(PLANE[0], cloud=True)

@@ -178,7 +178,7 @@ class PythonFilter(VTKPythonAlgorithmBase):
         return None
 
     def initial_results(self):
-        """Returns the results that each update sets anew, with their values before it."""
+        """Returns the results that an update sets, with their initial values."""
         return {}
 
     def _compute(self, number_of_pieces):

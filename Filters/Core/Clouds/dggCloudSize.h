@@ -13,12 +13,13 @@ namespace dgg
 {
 struct CloudSize
 {
-  double Spacing = 0.0; ///< median distance of about 500 points from their fourth neighbor
-  Id NumberOfComponents = 0;
+  /// Median distance of about 500 points from their fourth neighbor, model units; 0 without points.
+  double Spacing = 0.0;
+  Id NumberOfComponents = 0; ///< 0 if not counted
 };
 
 /// Measures the finite points of a cloud (x y z each). Gaps wider than `gap` spacings separate
-/// components, which are not counted if `gap` is 0.
+/// components; 0 means that components are not counted. Fails when stopped.
 DGG_CORE_EXPORT Status MeasureCloud(const double* points, Offset numberOfPoints, double gap,
   const ProgressCallback& progress, CloudSize& size);
 }

@@ -207,11 +207,10 @@ Status AllocateMatrix(const MemoryBudget& memory, std::size_t rows, std::size_t 
 {
   const double bytes = static_cast<double>(rows) * static_cast<double>(columns) * sizeof(double);
   const std::string what = JoinText("A matrix of ", rows, " rows and ", columns, " columns");
-  DGG_RETURN_IF_ERROR(withTable
-      ? memory.Check(what + " with its table", 2.0 * bytes,
-          "Use fewer points at a time, turn off {GenerateTable}")
-      : memory.Check(what + (withCopy ? " with its copy" : ""), (withCopy ? 2.0 : 1.0) * bytes,
-          "Use fewer points at a time"));
+  DGG_RETURN_IF_ERROR(withTable ? memory.Check(what + " with its table", 2.0 * bytes,
+                                    "Use fewer points at a time, turn off {GenerateTable}")
+                                : memory.Check(what + (withCopy ? " with its copy" : ""),
+                                    (withCopy ? 2.0 : 1.0) * bytes, "Use fewer points at a time"));
   matrix = MakeUnreached(rows * columns);
   return Status::Success();
 }
