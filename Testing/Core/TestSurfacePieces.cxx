@@ -18,12 +18,12 @@ struct Triangles
 {
   std::vector<double> Points;
   Offsets Ids;
-  Offsets PointIds;
-  Offsets CellIds;
-  std::vector<unsigned char> PointFlags;
-  std::vector<unsigned char> CellFlags;
+  Offsets PointIds{};
+  Offsets CellIds{};
+  std::vector<unsigned char> PointFlags{};
+  std::vector<unsigned char> CellFlags{};
   int Block = 0;
-  Offsets CellOffsets;
+  Offsets CellOffsets{};
 
   dgg::SurfacePiece Get()
   {
@@ -58,6 +58,7 @@ Triangles UpperHalf()
 dgg::PieceNumbering Join(std::vector<Triangles> triangles)
 {
   std::vector<dgg::SurfacePiece> pieces;
+  pieces.reserve(triangles.size());
   for (Triangles& piece : triangles)
   {
     pieces.push_back(piece.Get());

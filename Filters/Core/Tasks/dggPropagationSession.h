@@ -36,7 +36,7 @@ public:
     if (!this->Solver || this->MeshBuild != surface.GetBuildNumber())
     {
       this->Solver.reset(); // release before the next is allocated
-      this->Solver.reset(new SourcePropagation(mesh));
+      this->Solver = std::make_unique<SourcePropagation>(mesh);
       this->MeshBuild = surface.GetBuildNumber();
     }
     options.Parallel = context.Parallel;
