@@ -5,7 +5,8 @@
 Usage: measure_peers.py OUT.json OUT.md [--name=value ...] [MESH ...]
 
   --generated=bumpy-5,...,bumpy-8   generated surfaces: spheres with bumps, 10K to 655K vertices
-  --limit=200   CPU seconds after which a measurement is ended; it is not repeated on larger meshes
+  --limit=200   CPU seconds after which a measurement is ended; no measurement starts if the time per
+                vertex on a smaller mesh predicts more
   --cores=1     number of processor cores for each package
   --methods=    parts of the names of methods to measure (default: all that are installed)
 
@@ -78,18 +79,20 @@ def chosen_methods(parts):
     }
 
 
-def measure_mesh(path, methods, limit, slow):
-    """Returns the figures of the methods for each task. Methods that exceed the limit are added to
-    `slow`, and those in it are not measured."""
+def measure_mesh(path, vertices, methods, limit, paces):
+    """Returns the figures of the methods for each task. `paces` contains seconds per vertex on
+    smaller meshes, a lower bound for larger ones, and is updated."""
     found = {}
     for name, method in methods.items():
         for task in method.tasks:
-            if (name, task) in slow:
-                figures = {"failed": f"not measured, since {slow[name, task]} on a smaller mesh"}
+            if paces.get((name, task), 0.0) * vertices > limit:
+                figures = {"failed": f"not measured, since a smaller mesh predicts > {limit} s"}
             else:
                 figures = measure_alone(name, task, path, limit)
-                if figures.get("failed", "").startswith(">"):
-                    slow[name, task] = figures["failed"]
+                if "failed" not in figures:
+                    paces[name, task] = (figures["prepare"] + figures["query"]) / vertices
+                elif figures["failed"].startswith(">"):
+                    paces[name, task] = limit / vertices
             outcome = figures.get("failed") or time_text(figures["query"])
             print(f"  {name}, {task}: {outcome}", flush=True)
             found.setdefault(name, {})[task] = figures
@@ -102,14 +105,14 @@ def measure(options):
     os.sched_setaffinity(0, sorted(os.sched_getaffinity(0))[: options.cores])
     methods = chosen_methods(options.methods)
     versions = {method.package: version_of(method.package) for method in methods.values()}
-    meshes, slow = {}, {}
+    meshes, paces = {}, {}
     arrays = map(modes.open_arrays, (*options.generated, *options.meshes))
     for title, points, triangles in sorted(arrays, key=lambda mesh: len(mesh[1])):
         print(f"{title}: {len(points)} vertices", flush=True)
         with tempfile.TemporaryDirectory() as folder:
             path = os.path.join(folder, "case.npz")
             np.savez(path, **case_of(points, triangles))
-            methods_found = measure_mesh(path, methods, options.limit, slow)
+            methods_found = measure_mesh(path, len(points), methods, options.limit, paces)
         meshes[title] = {"vertices": len(points), "methods": methods_found}
         yield {"versions": versions, "cores": options.cores, "meshes": meshes}
 

@@ -98,7 +98,7 @@ def digits(value):
 
 @in_form
 def count_text(value):
-    for limit, suffix in ((1e6, "M"), (1e3, "K")):
+    for limit, suffix in ((1e9, "G"), (1e6, "M"), (1e3, "K")):
         if value >= limit:
             return f"{value / limit:.3g}{suffix}"
     return f"{value:.0f}"

@@ -24,13 +24,18 @@ class Failures(unittest.TestCase):
         self.assertEqual(run_python("while True: pass"), "> 1 s")
 
     def test_larger_meshes(self):
-        """After a limit was exceeded, larger meshes are not measured."""
+        """Meshes on which a method is expected to exceed the limit are not measured."""
         methods = {"slow": types.SimpleNamespace(tasks=("one",))}
-        slow = {}
-        with mock.patch.object(measure_peers, "measure_alone", return_value={"failed": "> 1 s"}):
-            found = [measure_peers.measure_mesh("", methods, 1, slow)["slow"] for _ in range(2)]
-        self.assertEqual(found[0]["one"]["failed"], "> 1 s")
-        self.assertIn("not measured, since > 1 s", found[1]["one"]["failed"])
+        for figures in ({"failed": "> 60 s"}, {"prepare": 10.0, "query": 11.0}):
+            paces = {}
+            with mock.patch.object(measure_peers, "measure_alone", return_value=figures) as alone:
+                smaller, larger = [
+                    measure_peers.measure_mesh("", vertices, methods, 60, paces)["slow"]["one"]
+                    for vertices in (100, 300)
+                ]
+            alone.assert_called_once()
+            self.assertEqual(smaller, figures)
+            self.assertEqual(larger["failed"], "not measured, since a smaller mesh predicts > 60 s")
 
     def test_notes(self):
         figures = {"prepare": 1.0, "query": 0.25, "memory": 1000}
