@@ -64,6 +64,36 @@ TEST(Isolines, AreCirclesInThePlane)
   }
 }
 
+/// Circles that are narrower than the sampling lattice of the faces that they cross.
+TEST(Isolines, SmallCirclesCrossLongThinFaces)
+{
+  TestMesh test = Plane(1, 40);
+  for (std::size_t i = 0; i < test.Points.size(); i += 3)
+  {
+    test.Points[i] *= 40.0;
+    test.Points[i + 1] *= 0.02;
+  }
+  const SurfaceMesh mesh = Build(test);
+  const GeodesicSource source = FaceSourceAt(mesh, 40, { { 0.34, 0.24, 0.42 } });
+  const auto center = PositionOf(mesh, source.Point, test.Points.data());
+  const ExactField field(mesh, { source });
+  const std::vector<double> levels{ 0.05, 0.1, 0.2, 0.3 };
+  const Isolines lines = Trace(field.Exact, levels, 1e-4);
+  EXPECT_EQ(lines.Fallbacks, 0);
+  EXPECT_TRUE(AllClosed(lines));
+  ASSERT_EQ(lines.Lines.size(), levels.size());
+  for (std::size_t i = 0; i < lines.Lines.size(); ++i)
+  {
+    const std::vector<SurfacePoint>& points = lines.Lines[i].Points;
+    for (std::size_t p = 0; p + 1 < points.size(); ++p)
+    {
+      const auto middle = Middle(PositionOf(mesh, points[p], test.Points.data()),
+        PositionOf(mesh, points[p + 1], test.Points.data()));
+      EXPECT_NEAR(DistanceTo(middle, center[0], center[1]), levels[lines.Levels[i]], 1.001e-4);
+    }
+  }
+}
+
 TEST(Isolines, TurnOnTheBisectorOfTwoSources)
 {
   const TestMesh test = Plane(12, 9, 0.25);

@@ -24,10 +24,12 @@ constexpr double AtEnd = 1e-7;
 class Line
 {
 public:
-  Line(const LevelArc& arc, const LevelPoint& from, const LevelPoint& to)
+  Line(const LevelArc& arc, double level, const LevelPoint& from, const LevelPoint& to)
     : Arc(arc)
+    , Level(level)
     , From(from.Place)
     , Way(Difference(to.Place, from.Place))
+    , Length(Norm(this->Way.X, this->Way.Y))
   {
     this->Collect(0.0, from.Sample, 1.0, to.Sample, 0);
   }
@@ -59,10 +61,14 @@ private:
   }
 
   /// Collects ties and minima between two positions in order, given the nearest sources at these
-  /// positions.
+  /// positions. Skips intervals that cannot reach the level, because slopes are at most 1.
   void Collect(
     double begin, const FieldSample& first, double end, const FieldSample& last, int depth)
   {
+    if (std::abs(first.Distance + last.Distance - 2.0 * this->Level) > (end - begin) * this->Length)
+    {
+      return;
+    }
     if (first.Candidate == last.Candidate)
     {
       this->AddFoot(first, begin, end);
@@ -88,8 +94,10 @@ private:
   }
 
   const LevelArc& Arc;
+  double Level;
   Point2 From;
   Point2 Way;
+  double Length;
   std::vector<LevelPoint> Points;
 };
 }
@@ -102,7 +110,7 @@ void FindTurns(const LevelArc& arc, double level, const LevelEnd& from, const Le
   {
     return;
   }
-  const Line line(arc, from.Point, to.Point);
+  const Line line(arc, level, from.Point, to.Point);
   const LevelPoint* best =
     nullptr; // farthest from the level, of consecutive points on one side of the level
   bool isAbove = from.IsAbove;

@@ -55,7 +55,7 @@ void MarchingTriangles::Build(const FaceProfile& profile, const LevelArc& arc, d
   {
     this->InsertSeed(arc, level, seed);
   }
-  if (profile.GetSources().size() > 1)
+  if (!profile.IsModelled()) // models may be discontinuous
   {
     this->AddTurns(arc, level);
   }
@@ -267,10 +267,10 @@ void MarchingTriangles::CutSide(Id a, Id b, Id node)
   }
 }
 
-/// Divides triangles, because wavefronts of several sources in the face may be narrower than the
-/// triangles. Triangles are divided until no side is crossed more than once, and at points where
-/// three wavefronts meet. Existing sides are processed before new ones, since processing new sides
-/// first could lead to slivers along a side that has to be divided itself.
+/// Divides triangles, because wavefronts may be narrower than the triangles. Triangles are divided
+/// until no side is crossed more than once, and at points where three wavefronts meet. Existing
+/// sides are processed before new ones, since processing new sides first could lead to slivers
+/// along a side that has to be divided itself.
 void MarchingTriangles::AddTurns(const LevelArc& arc, double level)
 {
   this->Looked.clear();

@@ -41,11 +41,11 @@ struct LevelChain
 };
 
 /// Marching triangles on a fine triangulation of one face. The triangulation has nodes between any
-/// two crossings on the boundary, and on ridges above the level. If the face contains several
-/// sources, the triangulation also has nodes at the points on sides of its triangles where
-/// wavefronts are lowest or meet. The side of the level of a node is decided by the crossings if
-/// the node lies on the boundary, and by the field if it lies inside. Thus every crossing belongs
-/// to exactly one curve, and curves do not intersect, for any field.
+/// two crossings on the boundary, and on ridges above the level. With windows, the triangulation
+/// also has nodes at the points on sides of its triangles where wavefronts are lowest or meet. The
+/// side of the level of a node is decided by the crossings if the node lies on the boundary, and by
+/// the field if it lies inside. Thus every crossing belongs to exactly one curve, and curves do not
+/// intersect, for any field.
 class MarchingTriangles
 {
 public:
