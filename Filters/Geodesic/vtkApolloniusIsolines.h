@@ -15,8 +15,9 @@
  *    `ArcLength`.
  *  - Output 1 (GetRidges()), see GenerateRidges; output 2 (GetBands()), see GenerateBands.
  *
- * <b>Guarantee and cost</b>. With windows (vtkExactGeodesicDistance::GenerateWindowsOn()), points
- * of lines have their value up to rounding, and ridges are exact. Virtual sources
+ * <b>Guarantee and cost</b>. With windows (vtkExactGeodesicDistance::GenerateWindowsOn(), and
+ * vtkDGGDistance on large triangles), points of lines have their value up to rounding, and ridges
+ * are exact. Virtual sources
  * (GenerateVirtualSourceOn() of any distance filter), or those fitted to the distances, have no
  * bound: errors in long triangles, as in CAD models, may exceed half of the largest distance, and
  * some ridges are spurious. A warning recommends windows if GetMeanAnisotropy() is above 2.

@@ -150,7 +150,9 @@ public:
    * If on, add the point array `GeodesicVirtualSource` (double, 3 components) for
    * vtkApolloniusIsolines and vtkGeodesicProbe: the distance with which the virtual source of the
    * point starts, the straight distance from that source, and its direction, a polar angle at the
-   * point in radians as in `DGG.Angles`, but not reduced to one turn. Default off.
+   * point in radians as in `DGG.Angles`, but not reduced to one turn. vtkDGGDistance may also store
+   * windows as field data and then returns exact distances, see its class documentation. Default
+   * off.
    */
   vtkSetMacro(GenerateVirtualSource, bool);
   vtkGetMacro(GenerateVirtualSource, bool);

@@ -10,7 +10,8 @@
  * distances (double), NaN in triangles with an unreached corner. Windows and virtual sources that
  * do not belong to the distances are ignored, with a warning.
  *
- * <b>Guarantee and cost</b>. Exact with windows (vtkExactGeodesicDistance::GenerateWindowsOn()).
+ * <b>Guarantee and cost</b>. Exact with windows (vtkExactGeodesicDistance::GenerateWindowsOn(), and
+ * vtkDGGDistance on large triangles).
  * With virtual sources (GenerateVirtualSourceOn() of any distance filter), or those fitted to the
  * distances, without a bound: more accurate than linear interpolation if sources are many edges
  * apart, and less accurate between sources a few edges apart. In long triangles, as in CAD models,

@@ -162,13 +162,13 @@ dgg::Status vtkGeodesicVoronoi::vtkInternals::Execute(
   if (this->Self->Preview)
   {
     DGG_RETURN_IF_ERROR(dgg::FindVoronoiPreview(context, this->PreviewSolver, result));
-    this->WarnAboutQuality(result.QualityWarning);
   }
   else
   {
     DGG_RETURN_IF_ERROR(this->GraphUser.Update(context, this->Self));
     DGG_RETURN_IF_ERROR(dgg::FindVoronoiCells(context, this->GraphUser, options, result));
   }
+  this->WarnAboutQuality(result.QualityWarning);
   DGG_RETURN_IF_ERROR(this->FillOutputs(context, options, result, outputVector));
   if (this->Self->PassSiteArrays)
   {

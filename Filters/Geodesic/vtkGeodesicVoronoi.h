@@ -16,7 +16,8 @@
  *    components, the smaller first), point array `GeodesicDistance`.
  *  - Output 2 (GetCells()): the surface cut into polygons along the borders, without gaps. Cell
  *    arrays `SiteId` (int, -1 if unreached), `CellArea` (double; area of the cell of the site),
- *    `FaceId`; point array `GeodesicDistance`. The first points are the input points.
+ *    `FaceId`; point array `GeodesicDistance`. The first points are the input points. A cell has
+ *    one or more polygons in a triangle.
  *  - Output 3 (GetSites()): sites, after moves, with verts; point arrays `SiteId`, `CellArea`,
  *    `vtkOriginalPointIds` (-1 for a site that is no point of the input), `FaceId`, `Barycentric`.
  *
@@ -24,8 +25,9 @@
  *
  * <b>Guarantee and cost</b>. Distances at points of the input are within the accuracy of the graph,
  * if its rule has a guarantee. Borders are straight in each triangle and have no error bound; those
- * that pass a point within 1e-5 of an edge pass through it. If triangles are as large as cells,
- * subdivide the surface first.
+ * that pass a point within 1e-5 of an edge pass through it. On triangles that are large for the
+ * accuracy, distances and borders are exact instead: see RefineBoundaries. Where more than three
+ * cells meet, tiny borders may separate cells that touch in one point.
  *
  * <b>Errors</b>. All errors of vtkGeodesicAlgorithm; no site; an id out of range; a site that is
  * not finite or beyond ProjectionTolerance; an array name that is empty or used twice; a graph
@@ -126,9 +128,13 @@ public:
 
   ///@{
   /**
-   * If on, refine inaccurate border points. Border points that the surrounding triangles do not
-   * determine accurately are linked to the graph and moved, with limited work. The update takes
-   * longer the larger the triangles are relative to the cells. Default on.
+   * If on, refine inaccurate borders. Border points that the surrounding triangles do not determine
+   * accurately are linked to the graph and moved, with limited work. If GetMeanAnisotropy() is above
+   * 2, or if accuracy times the largest distance is less than a quarter of the mean edge (weighted
+   * by area), distances and borders are exact instead, and cells may have curved sides in triangles.
+   * This takes longer than a vtkExactGeodesicDistance from the sites. If windows exceed MemoryLimit,
+   * the filter warns and uses the graph. Without cells, and to move sites (Centroidal), distances
+   * are always those of the graph. Default on.
    */
   vtkSetMacro(RefineBoundaries, bool);
   vtkGetMacro(RefineBoundaries, bool);

@@ -152,6 +152,7 @@ def field_samples(part, graph, k, levels, random):
         part.prepared,
         data[DISTANCE],
         virtual_sources=data["GeodesicVirtualSource"],
+        field_data=field.field_data,
         values=levels,
         chord_tolerance=CHORD,
         generate_ridges=True,

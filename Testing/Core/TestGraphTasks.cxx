@@ -1,11 +1,17 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Searches by tasks: sessions, paths of pairs, and matrices. Distances in the plane are known.
+#include "GeodesicChecks.h"
 #include "TaskTestTools.h"
 
+#include "dggDistanceOutput.h"
+#include "dggExactGeodesics.h"
+#include "dggFaceProfile.h"
+#include "dggGraphDistances.h"
 #include "dggGraphSession.h"
 #include "dggMatrixSearch.h"
 #include "dggPathSearch.h"
+#include "dggVoronoiTask.h"
 
 namespace dggtest
 {
@@ -98,6 +104,91 @@ TEST(GraphSession, SeedsOfVerticesAndLinks)
   }
   EXPECT_TRUE(Says(session.PrepareBuilder(world.MakeContext(1)), "Use vertices only"));
   EXPECT_TRUE(Ok(session.PrepareBuilder(world.MakeContext(1), false)));
+}
+
+/// Inside triangles that are large for the accuracy, distances are exact if memory permits.
+TEST(GraphDistances, InsideCoarseTriangles)
+{
+  const GraphWorld world(Box(4, 4, 1, 1.0, 1.3, 0.8), Accuracy);
+  const dgg::SurfaceMesh& mesh = world.Surface->GetMesh();
+  const std::vector<dgg::GeodesicSource> sources = { { SurfacePoint::AtVertex(0), 0.0 } };
+  const Points places = RandomSurfacePoints(mesh, 100, 3);
+  const std::vector<double> exact =
+    DistancesTo(mesh, dgg::ExactEngine::Triangle, sources[0].Point, places);
+  const auto find = [&](bool correct, std::uint64_t memoryLimit) {
+    GraphSession session = StartSession(world);
+    dgg::DistanceTask task{ {}, sources };
+    task.WantVirtualSource = true;
+    EXPECT_TRUE(Ok(dgg::FindGraphDistances(
+      world.MakeContext(memoryLimit), session, dgg::SearchMethod::Certified, correct, task)));
+    EXPECT_EQ(task.VirtualSource.size(), task.Distances.size());
+    return task;
+  };
+  const dgg::DistanceTask found = find(true, 0);
+  const dgg::DistanceField field{ &mesh, found.Distances.data(), &found.Windows, nullptr };
+  ASSERT_TRUE(field.HasWindows());
+  dgg::FaceProfile profile(field);
+  for (std::size_t i = 0; i < places.size(); ++i)
+  {
+    double distance = dgg::Infinity;
+    ForEachFaceAround(mesh, places[i], [&](Id f, const std::array<double, 3>& barycentric) {
+      profile.Enter(f);
+      distance = std::min(distance, profile.At(profile.PlaceOf(barycentric)));
+    });
+    EXPECT_NEAR(distance, exact[i], 1e-9 * exact[i]);
+  }
+  EXPECT_TRUE(found.QualityWarning.empty());
+  // Lengths of paths in the graph are not exact, and have no windows.
+  EXPECT_TRUE(find(false, 0).Windows.IsEmpty());
+  const dgg::DistanceTask limited = find(true, 1);
+  EXPECT_TRUE(limited.Windows.IsEmpty());
+  EXPECT_NE(limited.QualityWarning.find("MemoryLimit"), std::string::npos);
+}
+
+/// On such triangles cells are exact as well, unless borders are not refined.
+TEST(VoronoiCells, OnCoarseTriangles)
+{
+  for (const bool isLong : { false, true })
+  {
+    const GraphWorld world(
+      isLong ? Box(2, 2, 2, 10.0, 1.0, 0.3) : Box(4, 4, 4, 1.0, 1.3, 0.8), Accuracy);
+    const dgg::SurfaceMesh& mesh = world.Surface->GetMesh();
+    const Points sites = RandomSurfacePoints(mesh, 5, 7);
+    const auto find = [&](bool isRefined) {
+      GraphSession session = StartSession(world);
+      dgg::VoronoiOptions options;
+      options.IsRefined = isRefined;
+      dgg::VoronoiResult result;
+      for (const SurfacePoint& site : sites)
+      {
+        result.Sites.push_back({ site, 0.0 });
+      }
+      EXPECT_TRUE(Ok(dgg::FindVoronoiCells(world.MakeContext(), session, options, result)));
+      return result;
+    };
+    const auto measure = [&](const dgg::VoronoiDiagram& diagram) {
+      std::vector<std::vector<double>> exact;
+      for (const SurfacePoint& site : sites)
+      {
+        exact.push_back(DistancesTo(mesh, dgg::ExactEngine::Triangle, site, diagram.BorderPoints));
+      }
+      double worst = 0.0;
+      for (std::size_t i = 0; i < diagram.BorderPoints.size(); ++i)
+      {
+        double nearest = dgg::Infinity;
+        for (const std::vector<double>& distances : exact)
+        {
+          nearest = std::min(nearest, distances[i]);
+        }
+        worst = std::max(worst, std::abs(diagram.BorderDistances[i] - nearest) / nearest);
+      }
+      return worst;
+    };
+    const dgg::VoronoiResult found = find(true);
+    EXPECT_LT(measure(found.Diagram), 1e-6);
+    EXPECT_TRUE(found.QualityWarning.empty());
+    EXPECT_GT(measure(find(false).Diagram), 1e-4);
+  }
 }
 
 TEST(GraphSession, WidensTheRadiusByTheAccuracy)

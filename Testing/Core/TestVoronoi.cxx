@@ -7,8 +7,10 @@
 #include "TestMeshes.h"
 
 #include "dggCentroidal.h"
+#include "dggExactGeodesics.h"
 #include "dggSurfacePath.h"
 #include "dggVoronoi.h"
+#include "dggWindowCells.h"
 
 namespace dggtest
 {
@@ -29,15 +31,49 @@ std::vector<GraphSeed> SeedsOf(const SearchCase& c, const Sites& sites, double a
   return linked.Seeds;
 }
 
-VoronoiDiagram DiagramOf(
-  const SearchCase& c, const Sites& sites, double accuracy, bool isRefined = true)
+/// How cells are computed.
+enum class Cells
 {
+  Plain,
+  Refined,
+  OfWindows
+};
+constexpr double Chord = 1e-4; // of OfWindows, in mean edges
+
+/// Returns the diagram of exact distances.
+VoronoiDiagram DiagramOfWindows(const SurfaceMesh& mesh, const Sites& sites)
+{
+  std::vector<dgg::GeodesicSource> sources;
+  for (const SurfacePoint& site : sites)
+  {
+    sources.push_back({ site, 0.0 });
+  }
+  dgg::ExactOptions options;
+  options.KeepWindows = true;
+  dgg::ExactResult exact;
+  EXPECT_TRUE(dgg::ExactGeodesics(mesh).Run(sources, options, exact).IsOk());
+  const dgg::DistanceField field{ &mesh, exact.Distances.data(), &exact.Windows, nullptr,
+    exact.NearestSource.data() };
+  VoronoiDiagram diagram;
+  const dgg::Status status =
+    dgg::ComputeWindowCells(field, Chord * mesh.GetMeanEdgeLength(), nullptr, nullptr, diagram);
+  EXPECT_TRUE(status.IsOk()) << status.GetMessage();
+  return diagram;
+}
+
+VoronoiDiagram DiagramOf(
+  const SearchCase& c, const Sites& sites, double accuracy, Cells kind = Cells::Refined)
+{
+  if (kind == Cells::OfWindows)
+  {
+    return DiagramOfWindows(c.GetMesh(), sites);
+  }
   const dgg::GraphBuilder builder(c.GetMesh());
   VoronoiDiagram diagram;
   dgg::VoronoiInput input;
   input.Seeds = SeedsOf(c, sites, accuracy);
   input.Accuracy = accuracy;
-  if (isRefined)
+  if (kind == Cells::Refined)
   {
     input.Builder = &builder;
     input.Places = sites;
@@ -289,9 +325,9 @@ TEST(Voronoi, OnAnySurface)
     Sites sites = AtVertices(SomeVertices(c.GetMesh(), 8, 5));
     const Sites inFaces = RandomSurfacePoints(c.GetMesh(), 8, 3);
     sites.insert(sites.end(), inFaces.begin(), inFaces.end());
-    for (const bool isRefined : { false, true })
+    for (const Cells kind : { Cells::Plain, Cells::Refined, Cells::OfWindows })
     {
-      const VoronoiDiagram diagram = DiagramOf(c, sites, 0.05, isRefined);
+      const VoronoiDiagram diagram = DiagramOf(c, sites, 0.05, kind);
       ExpectWellFormed(c.GetMesh(), diagram, static_cast<Id>(sites.size()), named.Name);
     }
   }
@@ -303,13 +339,16 @@ TEST(Voronoi, ThePlane)
   {
     const SearchCase c("plane " + std::to_string(jitter), Plane(16, 12, jitter, 8), 0.01);
     const Sites sites = RandomSurfacePoints(c.GetMesh(), 9, 12);
-    const VoronoiDiagram diagram = DiagramOf(c, sites, 0.01);
-    ExpectWellFormed(c.GetMesh(), diagram, 9, c.GetName());
-    ExpectPlane(c, diagram, sites, 0.005);
-    // Cells are convex, so there is one curve per pair.
-    const std::set<std::array<Id, 2>> pairs(diagram.CurveSites.begin(), diagram.CurveSites.end());
-    EXPECT_EQ(pairs.size(), diagram.GetNumberOfCurves());
-    EXPECT_GE(pairs.size(), 9u);
+    for (const Cells kind : { Cells::Refined, Cells::OfWindows })
+    {
+      const VoronoiDiagram diagram = DiagramOf(c, sites, 0.01, kind);
+      ExpectWellFormed(c.GetMesh(), diagram, 9, c.GetName());
+      ExpectPlane(c, diagram, sites, kind == Cells::Refined ? 0.005 : 1e-6);
+      // Cells are convex, so there is one curve per pair.
+      const std::set<std::array<Id, 2>> pairs(diagram.CurveSites.begin(), diagram.CurveSites.end());
+      EXPECT_EQ(pairs.size(), diagram.GetNumberOfCurves());
+      EXPECT_GE(pairs.size(), 9u);
+    }
   }
 }
 
@@ -326,10 +365,25 @@ TEST(Voronoi, BordersAlongEdgesAndThroughVertices)
          std::vector<Id>{ at(4, 4), at(3, 4), at(5, 4), at(4, 3), at(4, 5) } })
   {
     const Sites sites = AtVertices(vertices);
-    const VoronoiDiagram diagram = DiagramOf(c, sites, 0.01);
-    ExpectWellFormed(c.GetMesh(), diagram, static_cast<Id>(sites.size()), "grid");
-    ExpectPlane(c, diagram, sites, 0.003);
+    for (const Cells kind : { Cells::Refined, Cells::OfWindows })
+    {
+      const VoronoiDiagram diagram = DiagramOf(c, sites, 0.01, kind);
+      ExpectWellFormed(c.GetMesh(), diagram, static_cast<Id>(sites.size()), "grid");
+      ExpectPlane(c, diagram, sites, kind == Cells::Refined ? 0.003 : 1e-5);
+    }
   }
+}
+
+TEST(Voronoi, SitesAtTheCornersOfAGrid)
+{
+  // Distances along edges tie up to rounding, in many intervals.
+  const TestMesh points = Plane(10, 10);
+  const SearchCase c("grid", points, 0.01);
+  const Id last = c.GetNumberOfVertices() - 1;
+  const VoronoiDiagram diagram =
+    DiagramOf(c, AtVertices({ 0, 10, last - 10, last }), 0.01, Cells::OfWindows);
+  ExpectWellFormed(c.GetMesh(), diagram, 4, "grid");
+  EXPECT_EQ(diagram.GetNumberOfCurves(), 4u);
 }
 
 TEST(Voronoi, ManySitesInAFace)
@@ -342,10 +396,13 @@ TEST(Voronoi, ManySitesInAFace)
   triangle.AddTriangle(0, 1, 2);
   const SearchCase c("triangle", triangle, 0.01);
   const Sites sites = RandomSurfacePoints(c.GetMesh(), 25, 4);
-  const VoronoiDiagram diagram = DiagramOf(c, sites, 0.01);
-  ExpectWellFormed(c.GetMesh(), diagram, 25, "triangle");
-  EXPECT_EQ(diagram.GetNumberOfPolygons(), 25u);
-  ExpectPlane(c, diagram, sites, 1e-9);
+  for (const Cells kind : { Cells::Refined, Cells::OfWindows })
+  {
+    const VoronoiDiagram diagram = DiagramOf(c, sites, 0.01, kind);
+    ExpectWellFormed(c.GetMesh(), diagram, 25, "triangle");
+    EXPECT_EQ(diagram.GetNumberOfPolygons(), 25u);
+    ExpectPlane(c, diagram, sites, kind == Cells::Refined ? 1e-9 : 1e-6);
+  }
 }
 
 TEST(Voronoi, AConeAndASphere)
@@ -358,22 +415,26 @@ TEST(Voronoi, AConeAndASphere)
   {
     const SearchCase c(named.Name, named.Mesh, accuracy);
     const Sites sites = RandomSurfacePoints(c.GetMesh(), 10, 21);
-    const VoronoiDiagram diagram = DiagramOf(c, sites, accuracy);
-    ExpectWellFormed(c.GetMesh(), diagram, 10, named.Name);
-    // Exact distances of all border points from each site separately.
-    const std::vector<std::vector<double>> exact = ExactDistances(c.GetMesh(), diagram, sites);
-    ASSERT_GT(diagram.GetNumberOfCurves(), 9u);
-    ExpectBorders(named.Name, diagram, sites.size(), 2.0 * accuracy,
-      [&](Id point, std::size_t site) { return exact[site][point]; });
-    for (Id v = 0; v < c.GetNumberOfVertices(); ++v)
+    for (const Cells kind : { Cells::Refined, Cells::OfWindows })
     {
-      double nearest = dgg::Infinity;
-      for (const auto& field : exact)
+      const double tolerance = kind == Cells::Refined ? accuracy : 1e-6;
+      const VoronoiDiagram diagram = DiagramOf(c, sites, accuracy, kind);
+      ExpectWellFormed(c.GetMesh(), diagram, 10, named.Name);
+      // Exact distances of all border points from each site separately.
+      const std::vector<std::vector<double>> exact = ExactDistances(c.GetMesh(), diagram, sites);
+      ASSERT_GT(diagram.GetNumberOfCurves(), 9u);
+      ExpectBorders(named.Name, diagram, sites.size(), 2.0 * tolerance,
+        [&](Id point, std::size_t site) { return exact[site][point]; });
+      for (Id v = 0; v < c.GetNumberOfVertices(); ++v)
       {
-        nearest = std::min(nearest, field[v]);
+        double nearest = dgg::Infinity;
+        for (const auto& field : exact)
+        {
+          nearest = std::min(nearest, field[v]);
+        }
+        EXPECT_LE(exact[diagram.NearestSites[v]][v], nearest * (1.0 + 2.0 * tolerance));
+        EXPECT_NEAR(diagram.Distances[v], nearest, tolerance * nearest * (1.0 + 1e-6));
       }
-      EXPECT_LE(exact[diagram.NearestSites[v]][v], nearest * (1.0 + 2.0 * accuracy));
-      EXPECT_NEAR(diagram.Distances[v], nearest, accuracy * nearest * (1.0 + 1e-6));
     }
   }
 }
@@ -385,21 +446,22 @@ TEST(Voronoi, RefinedWhereFacesAreLarge)
   const double accuracy = 0.01;
   const SearchCase c("box", Box(5, 5, 5, 1.0, 1.3, 0.8), accuracy);
   const Sites sites = RandomSurfacePoints(c.GetMesh(), 12, 5);
-  double largest[2] = { 0.0, 0.0 };
-  for (const bool isRefined : { false, true })
+  std::map<Cells, double> largest;
+  for (const Cells kind : { Cells::Plain, Cells::Refined, Cells::OfWindows })
   {
-    const VoronoiDiagram diagram = DiagramOf(c, sites, accuracy, isRefined);
+    const VoronoiDiagram diagram = DiagramOf(c, sites, accuracy, kind);
     ExpectWellFormed(c.GetMesh(), diagram, 12, "box");
     const std::vector<std::vector<double>> exact = ExactDistances(c.GetMesh(), diagram, sites);
-    double& error = largest[isRefined ? 1 : 0];
+    double& error = largest[kind];
     ForEachCurvePoint(diagram, [&](const std::array<Id, 2>& pair, Id point) {
       const double a = exact[pair[0]][point];
       const double b = exact[pair[1]][point];
       error = std::max(error, std::abs(a - b) / std::max(a, b));
     });
   }
-  EXPECT_GT(largest[0], 4.0 * accuracy);
-  EXPECT_LT(largest[1], 2.0 * accuracy);
+  EXPECT_GT(largest[Cells::Plain], 4.0 * accuracy);
+  EXPECT_LT(largest[Cells::Refined], 2.0 * accuracy);
+  EXPECT_LT(largest[Cells::OfWindows], 1e-6);
 }
 
 TEST(Voronoi, AroundACylinder)
@@ -437,19 +499,22 @@ TEST(Voronoi, AroundACylinder)
 TEST(Voronoi, UnreachedComponents)
 {
   const SearchCase c("several components", SeveralComponents(), 0.05);
-  const VoronoiDiagram diagram = DiagramOf(c, AtVertices({ 0 }), 0.05);
-  ExpectWellFormed(c.GetMesh(), diagram, 1, "several components");
-  Id count = 0;
-  const std::vector<Id> component = c.GetMesh().ComputeComponents(count);
-  for (Id v = 0; v < c.GetNumberOfVertices(); ++v)
+  for (const Cells kind : { Cells::Refined, Cells::OfWindows })
   {
-    const bool isReached = component[v] == component[0];
-    EXPECT_EQ(diagram.NearestSites[v], isReached ? 0 : dgg::NoId);
-    EXPECT_EQ(diagram.Distances[v] < dgg::Infinity, isReached);
+    const VoronoiDiagram diagram = DiagramOf(c, AtVertices({ 0 }), 0.05, kind);
+    ExpectWellFormed(c.GetMesh(), diagram, 1, "several components");
+    Id count = 0;
+    const std::vector<Id> component = c.GetMesh().ComputeComponents(count);
+    for (Id v = 0; v < c.GetNumberOfVertices(); ++v)
+    {
+      const bool isReached = component[v] == component[0];
+      EXPECT_EQ(diagram.NearestSites[v], isReached ? 0 : dgg::NoId);
+      EXPECT_EQ(diagram.Distances[v] < dgg::Infinity, isReached);
+    }
+    const std::set<Id> sites(diagram.PolygonSites.begin(), diagram.PolygonSites.end());
+    EXPECT_EQ(sites, (std::set<Id>{ dgg::NoId, 0 }));
+    EXPECT_EQ(diagram.GetNumberOfCurves(), 0u);
   }
-  const std::set<Id> sites(diagram.PolygonSites.begin(), diagram.PolygonSites.end());
-  EXPECT_EQ(sites, (std::set<Id>{ dgg::NoId, 0 }));
-  EXPECT_EQ(diagram.GetNumberOfCurves(), 0u);
 }
 
 TEST(Voronoi, EveryVertexIsASite)
@@ -462,31 +527,37 @@ TEST(Voronoi, EveryVertexIsASite)
     {
       all[v] = v;
     }
-    const VoronoiDiagram diagram = DiagramOf(c, AtVertices(all), 0.1);
-    ExpectWellFormed(c.GetMesh(), diagram, c.GetNumberOfVertices(), named.Name);
-    EXPECT_EQ(diagram.NearestSites, all) << named.Name;
+    for (const Cells kind : { Cells::Refined, Cells::OfWindows })
+    {
+      const VoronoiDiagram diagram = DiagramOf(c, AtVertices(all), 0.1, kind);
+      ExpectWellFormed(c.GetMesh(), diagram, c.GetNumberOfVertices(), named.Name);
+      EXPECT_EQ(diagram.NearestSites, all) << named.Name;
+    }
   }
 }
 
 TEST(Voronoi, OneSiteAndDuplicates)
 {
   const SearchCase c("sphere", Icosphere(3), 0.05);
-  VoronoiDiagram diagram = DiagramOf(c, AtVertices({ 40 }), 0.05);
-  ExpectWellFormed(c.GetMesh(), diagram, 1, "one site");
-  EXPECT_EQ(diagram.GetNumberOfCurves(), 0u);
-  EXPECT_EQ(
-    diagram.GetNumberOfPolygons(), static_cast<std::size_t>(c.GetMesh().GetNumberOfFaces()));
+  for (const Cells kind : { Cells::Refined, Cells::OfWindows })
+  {
+    VoronoiDiagram diagram = DiagramOf(c, AtVertices({ 40 }), 0.05, kind);
+    ExpectWellFormed(c.GetMesh(), diagram, 1, "one site");
+    EXPECT_EQ(diagram.GetNumberOfCurves(), 0u);
+    EXPECT_EQ(
+      diagram.GetNumberOfPolygons(), static_cast<std::size_t>(c.GetMesh().GetNumberOfFaces()));
 
-  const auto inner = SurfacePoint::InFace(c.GetMesh(), 100, { { 0.2, 0.3, 0.5 } });
-  const VoronoiDiagram expected =
-    DiagramOf(c, { SurfacePoint::AtVertex(7), inner, SurfacePoint::AtVertex(90) }, 0.05);
-  diagram = DiagramOf(c,
-    { SurfacePoint::AtVertex(7), inner, SurfacePoint::AtVertex(90), inner,
-      SurfacePoint::AtVertex(7), inner },
-    0.05);
-  EXPECT_EQ(diagram.PolygonSites, expected.PolygonSites);
-  EXPECT_EQ(diagram.PolygonPoints, expected.PolygonPoints);
-  EXPECT_EQ(diagram.CurveSites, expected.CurveSites);
+    const auto inner = SurfacePoint::InFace(c.GetMesh(), 100, { { 0.2, 0.3, 0.5 } });
+    const VoronoiDiagram expected =
+      DiagramOf(c, { SurfacePoint::AtVertex(7), inner, SurfacePoint::AtVertex(90) }, 0.05, kind);
+    diagram = DiagramOf(c,
+      { SurfacePoint::AtVertex(7), inner, SurfacePoint::AtVertex(90), inner,
+        SurfacePoint::AtVertex(7), inner },
+      0.05, kind);
+    EXPECT_EQ(diagram.PolygonSites, expected.PolygonSites);
+    EXPECT_EQ(diagram.PolygonPoints, expected.PolygonPoints);
+    EXPECT_EQ(diagram.CurveSites, expected.CurveSites);
+  }
 }
 
 TEST(Voronoi, GraphsWithoutDirections)

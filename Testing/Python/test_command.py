@@ -354,7 +354,6 @@ class Command(support.Test):
             ("parts", [points, points + [9, 0, 0]], "sample --number 1", "larger --number"),
             ("one", [points], "sample --number 99", "subdivide the surface"),
             ("one", [points], "greens --source 5", "Refine the mesh there"),
-            ("long", [points * [1, 20, 1]], "isolines --source 5", "exact distances with wind"),
             ("long", [points * [1, 20, 1]], "distance --source 5 --method fast", "distances or a graph"),
         ):
             path = out(f"{name}.off")

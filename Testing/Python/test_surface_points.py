@@ -181,8 +181,9 @@ class Functions(support.Test):
                     expected = numbers_of(first[name](expected_of))
                     found = numbers_of(others[name](points))
                     self.assertTrue(np.isfinite(expected).any())
-                    tolerance = 1e-4 if name == "isolines" else 0.0
-                    np.testing.assert_allclose(found, expected, rtol=tolerance, atol=1e-6)
+                    is_drawn = name in ("isolines", "voronoi", "moved")
+                    relative, absolute = (1e-4, 1e-5) if is_drawn else (0.0, 1e-6)
+                    np.testing.assert_allclose(found, expected, rtol=relative, atol=absolute)
 
     def test_namings(self):
         for surface in map(Surface, SEEDS):

@@ -87,7 +87,8 @@ def distance(
         another method than "graph", or on a cloud, is an error.
     at : surface points, optional
         Points on the surface, in the forms of `sources`, at which the distances are returned. They
-        are exact with the method "exact"; other methods have no error bound inside triangles. A
+        are exact with the method "exact", and with "graph" where triangles are large for its
+        accuracy; otherwise distances inside triangles have no error bound. A
         point is unreached if a corner of its triangle is. Not with `return_source`. Default: the
         points of the mesh.
     merge_coincident_points : bool, optional

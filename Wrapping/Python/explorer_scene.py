@@ -299,7 +299,12 @@ class Scene:
             return
         if is_moving:
             self.used = self._soonest()
-        field = self._search(self.used, is_moving)
+        has_lines = not (is_moving or self.is_cloud)
+        # With virtual sources, distances of a graph may be exact; its own are shown.
+        field = self._search(self.used, has_lines and self.used != "graph")
+        if is_moving:
+            fastest = self._fastest.get(self.used, np.inf)
+            self._fastest[self.used] = min(self.times[self.used], fastest)
         self.distances = field.point_data["GeodesicDistance"]
         self.values = self.distances
         reached = self.distances[np.isfinite(self.distances)]
@@ -308,7 +313,8 @@ class Scene:
         self._reach = max(self._reach, high)
         self.limits = 0.0, self._reach or 1.0
         self.step = nice_step(self.limits[1])
-        self._find_lines(field, 0.0, high, is_moving)
+        inside = self._search("graph", True) if has_lines and self.used == "graph" else field
+        self._find_lines(inside, 0.0, high, is_moving)
         if self.shown == "error":
             self._measure()
         elif self.shown == "voronoi":
@@ -330,19 +336,16 @@ class Scene:
         is_slower = self._fastest.get("graph", 0.0) > self._fastest.get("fast", np.inf)
         return "fast" if is_slower else "graph"
 
-    def _search(self, method, is_moving=False):
-        """Returns the distances by a method as a result of the kernel."""
+    def _search(self, method, has_lines=False):
+        """Returns the distances by a method as a result of the kernel, with what isolines at rest
+        need if requested, which takes longer."""
         options = {"generate_nearest_source": self.view == "voronoi"}
-        # Arrays that only isolines at rest need take longer than the distances.
-        if method == "exact":
-            options["generate_windows"] = True
-        else:
-            options["generate_virtual_source"] = not (is_moving or self.is_cloud)
+        if has_lines:
+            kind = "generate_windows" if method == "exact" else "generate_virtual_source"
+            options[kind] = True
         target = self.graph._graph if method == "graph" else self._prepared
-        field = self._run(FUNCTIONS[method], target, method, **options)
-        if is_moving:
-            self._fastest[method] = min(self.times[method], self._fastest.get(method, np.inf))
-        return field
+        name = "graph for isolines" if has_lines and method == "graph" else method
+        return self._run(FUNCTIONS[method], target, name, **options)
 
     def _run(self, function, target, name, **options):
         """Returns the result of a function of the kernel for the sources."""

@@ -170,7 +170,8 @@ class Graph(Queries):
         projection_tolerance: Optional[float] = None,
         as_polydata: bool = False,
     ) -> Union[List[Isoline], vtkPolyData]:
-        """Curves along which the distance from the nearest source has a given value.
+        """Curves along which the distance from the nearest source has a given value. They are exact
+        on triangles that are large for the accuracy.
 
         Parameters
         ----------

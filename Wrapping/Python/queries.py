@@ -239,7 +239,8 @@ class Queries(Matrices):
         projection_tolerance: Optional[float] = None,
         as_polydata: bool = False,
     ) -> Union[Voronoi, vtkPolyData]:
-        """Voronoi cells: the nearest of some sites for each point, and the areas of the cells.
+        """Voronoi cells: the nearest of some sites for each point, and the areas of the cells. On
+        triangles that are large for the accuracy, cells and areas are exact.
 
         Parameters
         ----------

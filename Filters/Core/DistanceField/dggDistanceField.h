@@ -35,6 +35,8 @@ struct DistanceField
   const double* Distances = nullptr;       ///< per vertex; Infinity where unreached
   const EdgeWindows* Windows = nullptr;    ///< may be null or empty
   const VirtualSources* Sources = nullptr; ///< may be null or empty; used when there are no windows
+  /// Per vertex, the index of the nearest source; only needed for FieldSample::Source.
+  const Id* NearestSource = nullptr;
 
   bool HasWindows() const { return this->Windows && !this->Windows->IsEmpty(); }
   bool HasSources() const
@@ -63,6 +65,8 @@ struct FieldSample
   /// Id of the candidate that attains the minimum. Two samples of a profile have equal ids if they
   /// belong to the same smooth piece.
   Id Candidate = NoId;
+  /// Index of the nearest source. Defined if the field has windows and NearestSource.
+  Id Source = NoId;
 };
 }
 

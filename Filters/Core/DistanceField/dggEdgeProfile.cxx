@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 
 namespace dgg
 {
@@ -31,6 +32,11 @@ constexpr double SlackOfDistance = 1e-12;
 /// of steps that bisection needs.
 constexpr double Rounding = 4e-16;
 constexpr int MaximumSteps = 80;
+/// Distance from the ends of an interval, relative to its length, at which the shortest piece is
+/// determined.
+constexpr double InsetOfChanges = 1e-6;
+/// Largest number of changes per piece; more are rounding.
+constexpr std::size_t MostChanges = 8;
 }
 
 void EdgeProfile::Enter(Id h)
@@ -128,7 +134,7 @@ void EdgeProfile::CollectThroughFace(Id h)
       auto meet = [&](double x) {
         const Point2 p = FromFrame(from, axis, { x, 0.0 });
         const double fall = image.Y - p.Y;
-        const double away = p.X < image.X ? 0.0 : this->Length;
+        const double away = side == SurfaceMesh::Next(h) ? 0.0 : this->Length;
         const double reach = fall > 0.0 ? image.X + (p.X - image.X) * (image.Y / fall) : away;
         return std::min(this->Length, std::max(0.0, reach));
       };
@@ -177,6 +183,85 @@ void EdgeProfile::FindWindowBreaks()
     {
       breaks.insert(breaks.begin() + static_cast<std::ptrdiff_t>(i), peak);
     }
+  }
+}
+
+void EdgeProfile::FindChanges(std::vector<double>& changes) const
+{
+  const std::vector<Piece> paths{ { 0.0, this->Length, {}, this->Ends[0], 0.0 },
+    { 0.0, this->Length, { this->Length, 0.0 }, this->Ends[1], 0.0 } };
+  std::vector<double> ends{ 0.0, this->Length };
+  for (const Piece& piece : this->Pieces)
+  {
+    ends.push_back(piece.Begin);
+    ends.push_back(piece.End);
+  }
+  std::sort(ends.begin(), ends.end());
+  ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
+  changes.insert(changes.end(), ends.begin(), ends.end());
+  for (std::size_t i = 1; i < ends.size(); ++i)
+  {
+    std::vector<Piece> pieces = paths;
+    std::copy_if(this->Pieces.begin(), this->Pieces.end(), std::back_inserter(pieces),
+      [&](const Piece& piece) { return piece.Begin <= ends[i - 1] && piece.End >= ends[i]; });
+    std::vector<double> inside;
+    this->Divide(pieces, ends[i - 1], ends[i], inside);
+    changes.insert(changes.end(), inside.begin(), inside.end());
+  }
+}
+
+double EdgeProfile::DistanceOf(const Piece& piece, double x) const
+{
+  return piece.Offset + DistanceToAxis(piece.Image, x);
+}
+
+const EdgeProfile::Piece& EdgeProfile::ShortestOf(const std::vector<Piece>& pieces, double x) const
+{
+  return *std::min_element(pieces.begin(), pieces.end(), [&](const Piece& a, const Piece& b) {
+    return this->DistanceOf(a, x) < this->DistanceOf(b, x);
+  });
+}
+
+/// Finds the changes between two abscissae on pieces that cover the interval between them.
+void EdgeProfile::Divide(
+  const std::vector<Piece>& pieces, double begin, double end, std::vector<double>& changes) const
+{
+  const double inset = InsetOfChanges * (end - begin); // pieces may end at ties
+  const Piece& first = this->ShortestOf(pieces, begin + inset);
+  const Piece& last = this->ShortestOf(pieces, end - inset);
+  const double rounding =
+    SlackOfDistance * (this->DistanceOf(first, begin) + this->DistanceOf(last, end));
+  double change = begin;
+  if (this->DistanceOf(first, end - inset) > this->DistanceOf(last, end - inset) + rounding)
+  {
+    change = Bisect(begin, end, 0.0, MaximumSteps,
+      [&](double x) { return this->DistanceOf(first, x) < this->DistanceOf(last, x); });
+  }
+  else
+  {
+    // A third piece may be shorter in between. The difference of two distances is extreme on the
+    // line through both images, and monotone on both sides.
+    double least = -rounding;
+    for (const Piece& piece : pieces)
+    {
+      const double y = std::abs(first.Image.Y);
+      const double rise = std::abs(piece.Image.Y) - y;
+      const double x = first.Image.X - (piece.Image.X - first.Image.X) * y / rise;
+      const double gain =
+        x > begin && x < end ? this->DistanceOf(piece, x) - this->DistanceOf(first, x) : 0.0;
+      if (gain < least)
+      {
+        least = gain;
+        change = x;
+      }
+    }
+  }
+  const bool isRounding = changes.size() > MostChanges * pieces.size();
+  if (change > begin + inset && change < end - inset && !isRounding)
+  {
+    changes.push_back(change);
+    this->Divide(pieces, begin, change, changes);
+    this->Divide(pieces, change, end, changes);
   }
 }
 

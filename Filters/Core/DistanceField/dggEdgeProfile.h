@@ -51,6 +51,10 @@ public:
   /// the level count as above). The number of crossings is even iff both ends are on the same side.
   void FindCrossings(double level, std::vector<double>& crossings);
 
+  /// Appends abscissae between which a single window or source, or the path along the edge from a
+  /// single end, is the shortest; in no order, with both ends of the edge. Needs windows.
+  void FindChanges(std::vector<double>& changes) const;
+
 private:
   /// A window or a source, in the frame of this edge.
   struct Piece
@@ -71,6 +75,10 @@ private:
     Point2 To;
   };
 
+  double DistanceOf(const Piece& piece, double x) const;
+  const Piece& ShortestOf(const std::vector<Piece>& pieces, double x) const;
+  void Divide(
+    const std::vector<Piece>& pieces, double begin, double end, std::vector<double>& changes) const;
   void CollectWindows(Id h);
   void CollectSources(Id h);
   void CollectThroughFace(Id h);

@@ -121,6 +121,13 @@ Point2 FaceProfile::InFrameOf(int k, const Point2& p) const
   return { Dot(this->Axes[k], way), Cross(this->Axes[k], way) };
 }
 
+/// Returns the source of a vertex, or of ~k for source k; NoId if sources are not known.
+Id FaceProfile::SourceOf(Id root) const
+{
+  const Id* const sources = this->Field.NearestSource;
+  return !sources ? NoId : root < 0 ? ~root : sources[root];
+}
+
 void FaceProfile::CollectWindows()
 {
   const EdgeWindows& windows = *this->Field.Windows;
@@ -132,7 +139,7 @@ void FaceProfile::CollectWindows()
     {
       const double slack = WindowSlack * std::min(this->Field.Mesh->Length(h), -w->Image.Y);
       this->Windows.push_back({ w->Begin - slack, w->End + slack, w->Image,
-        FromFrame(this->Corners[k], this->Axes[k], w->Image), w->Offset });
+        FromFrame(this->Corners[k], this->Axes[k], w->Image), w->Offset, this->SourceOf(w->Root) });
     }
   }
   this->FirstWindows[3] = this->Windows.size();
@@ -147,6 +154,7 @@ void FaceProfile::CollectSources()
   {
     const Point2 place = this->PlaceOf(source->Barycentric);
     this->Sources.push_back(FromSource(place, source->Offset, place));
+    this->Sources.back().Source = this->SourceOf(source->Root);
   }
 }
 
@@ -269,6 +277,16 @@ FaceProfile::LowerBound FaceProfile::GetLowerBound(const Point2& p) const
   return bound;
 }
 
+bool FaceProfile::MayHaveSeveralSources() const
+{
+  const std::array<Id, 3> corners = this->Field.Mesh->GetTriangle(this->Face);
+  const Id first = this->SourceOf(corners[0]);
+  const auto isOther = [&](const auto& seen) { return seen.Source != first; };
+  return first != this->SourceOf(corners[1]) || first != this->SourceOf(corners[2]) ||
+    std::any_of(this->Windows.begin(), this->Windows.end(), isOther) ||
+    std::any_of(this->Sources.begin(), this->Sources.end(), isOther);
+}
+
 double FaceProfile::GetLargestRaise(int k) const
 {
   return std::max(LargestOf(this->Missing[k]), LargestOf(this->MissingOver[k]));
@@ -325,6 +343,7 @@ FieldSample FaceProfile::FromCorner(int k, const Point2& p) const
 {
   FieldSample sample = FromSource(this->Corners[k], this->Distances[k], p);
   sample.Candidate = k;
+  sample.Source = this->SourceOf(this->Field.Mesh->Origin(3 * this->Face + k));
   return sample;
 }
 
@@ -341,11 +360,12 @@ FieldSample FaceProfile::FromWindows(const Point2& p) const
   }
   for (std::size_t s = 0; s < this->Sources.size(); ++s)
   {
-    FieldSample sample = FromSource(this->Sources[s].Image, this->Sources[s].Offset, p);
-    if (sample.Distance < best.Distance)
+    const FieldSample& source = this->Sources[s];
+    if (source.Offset + Distance(source.Image, p) < best.Distance)
     {
-      best = sample;
+      best = FromSource(source.Image, source.Offset, p);
       best.Candidate = static_cast<Id>(3 + s);
+      best.Source = source.Source;
     }
   }
   const SeenWindow* found = nullptr;
@@ -372,6 +392,7 @@ FieldSample FaceProfile::FromWindows(const Point2& p) const
   {
     best = FromSource(found->Place, found->Offset, p);
     best.Candidate = static_cast<Id>(3 + this->Sources.size() + (found - this->Windows.data()));
+    best.Source = found->Source;
   }
   return best;
 }

@@ -33,6 +33,8 @@ public:
   const std::array<Point2, 3>& GetCorners() const { return this->Corners; }
   double GetCornerDistance(int k) const { return this->Distances[k]; }
   Point2 PlaceOf(const std::array<double, 3>& barycentric) const;
+  /// Returns a point in the frame of half-edge 3f + k.
+  Point2 InFrameOf(int k, const Point2& p) const;
   std::array<double, 3> BarycentricOf(const Point2& p) const;
 
   /// Returns the distance at a point of the face.
@@ -65,6 +67,9 @@ public:
   /// sides. The test is conservative: true if in doubt.
   bool MayHavePeak() const;
 
+  /// Returns true if points of the face may have different nearest sources (FieldSample::Source).
+  bool MayHaveSeveralSources() const;
+
   /// Returns the sources inside the face or on its edges.
   const std::vector<FieldSample>& GetSources() const { return this->Sources; }
 
@@ -77,6 +82,7 @@ private:
     Point2 Image; // in the frame of its half-edge
     Point2 Place; // image in the frame of the face
     double Offset;
+    Id Source;
   };
 
   /// The virtual source of a corner in the plane of the face.
@@ -120,7 +126,7 @@ private:
   FieldSample FromModels(const Point2& p) const;
   FieldSample FromLowerBound(int k, const Point2& p) const;
   FieldSample Linear(const Point2& p) const;
-  Point2 InFrameOf(int k, const Point2& p) const;
+  Id SourceOf(Id root) const;
 
   const DistanceField& Field;
   Id Face = NoId;

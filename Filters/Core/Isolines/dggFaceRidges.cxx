@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace dgg
 {
@@ -46,11 +47,12 @@ bool HavePair(const FieldSample& a, const FieldSample& b, const FieldSample& c,
 }
 }
 
-FaceRidgeFinder::FaceRidgeFinder(const DistanceField& field, double angle, double chordTolerance)
+FaceRidgeFinder::FaceRidgeFinder(const DistanceField& field, const RidgeOptions& options)
   : Field(field)
-  , ChordTolerance(chordTolerance)
+  , Options(options)
   , Profile(field)
-  , Jumps(Profile, angle)
+  , Edge(field)
+  , Jumps(Profile, options.MinimumAngle, options.BetweenSources)
 {
 }
 
@@ -58,11 +60,24 @@ void FaceRidgeFinder::Find(Id f, FaceRidges& found)
 {
   this->Found = &found;
   this->Profile.Enter(f);
+  if (this->Options.BetweenSources && !this->Profile.MayHaveSeveralSources())
+  {
+    return;
+  }
   this->Crossings.clear();
   this->Jumps.Restart();
   this->Size = std::max({ this->Field.Mesh->Length(3 * f), this->Field.Mesh->Length(3 * f + 1),
     this->Field.Mesh->Length(3 * f + 2) });
-  this->Connect(this->MakeRim());
+  this->Hidden.clear();
+  if (this->Options.BetweenSources)
+  {
+    const std::vector<FieldSample>& sources = this->Profile.GetSources();
+    std::copy_if(sources.begin(), sources.end(), std::back_inserter(this->Hidden),
+      [&](const FieldSample& s) { return this->Profile.SampleAt(s.Image).Source == s.Source; });
+  }
+  const Rim rim = this->MakeRim();
+  this->Reveal(this->Profile.SampleAt(rim[0].Place).Source);
+  this->Connect(rim);
 }
 
 /// Returns the boundary of the search region. The boundary is the hexagon that remains after
@@ -97,11 +112,41 @@ FaceRidgeFinder::Rim FaceRidgeFinder::MakeRim()
   return rim;
 }
 
+/// Returns fractions of an edge, in increasing order, such that the nearest source changes at most
+/// once between neighbors.
+std::vector<double> FaceRidgeFinder::PlacesBetweenChanges(int k)
+{
+  const SurfaceMesh& mesh = *this->Field.Mesh;
+  const Id h = 3 * this->Profile.GetFace() + k;
+  this->Edge.Enter(h);
+  std::vector<double> changes;
+  this->Edge.FindChanges(changes);
+  const bool isSame = mesh.Origin(h) == mesh.Origin(this->Edge.GetHalfEdge());
+  for (double& change : changes)
+  {
+    change = isSame ? change / mesh.Length(h) : 1.0 - change / mesh.Length(h);
+  }
+  std::sort(changes.begin(), changes.end());
+  std::vector<double> places;
+  for (std::size_t i = 1; i < changes.size(); ++i)
+  {
+    places.push_back(0.5 * (changes[i - 1] + changes[i]));
+  }
+  return places;
+}
+
 /// Adds the ridges that leave through an edge, located at the tie on the edge itself.
 void FaceRidgeFinder::AddSide(int k, const Point2& from, const Point2& to, Rim& rim)
 {
   std::vector<FieldJump> jumps;
-  this->Jumps.Find(from, to, SamplesOfSide, WidthOfSide, jumps);
+  if (this->Options.BetweenSources)
+  {
+    this->Jumps.Find(from, to, this->PlacesBetweenChanges(k), WidthOfSide, jumps);
+  }
+  else
+  {
+    this->Jumps.Find(from, to, SamplesOfSide, WidthOfSide, jumps);
+  }
   const double length = this->Field.Mesh->Length(3 * this->Profile.GetFace() + k);
   const Point2& origin = this->Profile.GetCorners()[k];
   const Point2& end = this->Profile.GetCorners()[(k + 1) % 3];
@@ -146,6 +191,8 @@ Id FaceRidgeFinder::AddEnd(const RidgeEnd& end, const Crossing& crossing)
   this->Found->Ends.push_back(end);
   this->Found->Ends.back().Angle = AngleBetween(crossing.Before, crossing.After);
   this->Crossings.push_back(crossing);
+  this->Reveal(crossing.Before.Source);
+  this->Reveal(crossing.After.Source);
   return static_cast<Id>(this->Crossings.size()) - 1;
 }
 
@@ -162,8 +209,14 @@ void FaceRidgeFinder::Connect(const Rim& rim)
     }
     size = std::max(size, Distance(point.Place, rim[0].Place));
   }
-  const double smallest = std::max(SmallestPart * this->Size, SmallShare * this->ChordTolerance);
+  const double share = this->Options.BetweenSources ? 0.0 : SmallShare;
+  const double smallest = std::max(SmallestPart * this->Size, share * this->Options.ChordTolerance);
   Point2 junction;
+  if (size > smallest && this->HidesSource(rim))
+  {
+    this->Divide(rim);
+    return;
+  }
   if (ridges.empty())
   {
     return;
@@ -183,17 +236,38 @@ void FaceRidgeFinder::Connect(const Rim& rim)
   }
   else if (ridges.size() > 2 && size <= smallest)
   {
-    for (const Id ridge : ridges)
-    {
-      junction.X += this->Crossings[ridge].Place.X / static_cast<double>(ridges.size());
-      junction.Y += this->Crossings[ridge].Place.Y / static_cast<double>(ridges.size());
-    }
-    this->MakeJunction(ridges, junction);
+    this->MakeJunction(ridges, this->MeanOf(ridges));
   }
   else if (size > (ridges.size() == 1 ? SmallestDeadEnd * this->Size : smallest))
   {
     this->Divide(rim);
   }
+}
+
+/// Returns true if a subregion contains a source whose cell is not on any boundary so far.
+bool FaceRidgeFinder::HidesSource(const Rim& rim) const
+{
+  const auto isInside = [&](const FieldSample& source) {
+    for (std::size_t i = 0; i < rim.size(); ++i)
+    {
+      const Point2& p = rim[i].Place;
+      const Point2 side = Difference(rim[(i + 1) % rim.size()].Place, p);
+      if (Cross(side, Difference(source.Image, p)) < 0.0)
+      {
+        return false;
+      }
+    }
+    return true;
+  };
+  return std::any_of(this->Hidden.begin(), this->Hidden.end(), isInside);
+}
+
+/// Notes that the cell of a source is on a boundary.
+void FaceRidgeFinder::Reveal(Id source)
+{
+  this->Hidden.erase(std::remove_if(this->Hidden.begin(), this->Hidden.end(),
+                       [source](const FieldSample& sample) { return sample.Source == source; }),
+    this->Hidden.end());
 }
 
 /// Divides a subregion across its longest diagonal.
@@ -273,15 +347,11 @@ void FaceRidgeFinder::Divide(const Rim& rim)
   this->Connect(part);
 }
 
-/// Finds the point with three shortest paths. Returns false if a subregion is not surrounded by
-/// three sources, or the point does not lie inside.
+/// Finds the point where all ridges meet, with three shortest paths or, by symmetry, more. Returns
+/// false if there is not one source between each two ridges, or the point does not lie inside.
 bool FaceRidgeFinder::FindJunction(
   const std::vector<Id>& ridges, const Rim& rim, Point2& place) const
 {
-  if (ridges.size() != 3)
-  {
-    return false;
-  }
   std::vector<FieldSample> sources;
   for (const Id ridge : ridges)
   {
@@ -296,16 +366,11 @@ bool FaceRidgeFinder::FindJunction(
       }
     }
   }
-  if (sources.size() != 3)
+  if (sources.size() != ridges.size())
   {
     return false;
   }
-  place = {};
-  for (const Id ridge : ridges)
-  {
-    place.X += this->Crossings[ridge].Place.X / 3.0;
-    place.Y += this->Crossings[ridge].Place.Y / 3.0;
-  }
+  place = this->MeanOf(ridges);
   if (!MoveToTie(sources[0], sources[1], sources[2], place))
   {
     return false;
@@ -322,6 +387,17 @@ bool FaceRidgeFinder::FindJunction(
   }
   return std::all_of(sources.begin(), sources.end(),
     [&](const FieldSample& source) { return this->IsNearest(source, place); });
+}
+
+Point2 FaceRidgeFinder::MeanOf(const std::vector<Id>& ridges) const
+{
+  Point2 mean;
+  for (const Id ridge : ridges)
+  {
+    mean.X += this->Crossings[ridge].Place.X / static_cast<double>(ridges.size());
+    mean.Y += this->Crossings[ridge].Place.Y / static_cast<double>(ridges.size());
+  }
+  return mean;
 }
 
 void FaceRidgeFinder::MakeJunction(const std::vector<Id>& ridges, const Point2& place)
@@ -363,7 +439,7 @@ bool FaceRidgeFinder::Refine(
   const Crossing& from, const Crossing& to, int depth, std::vector<std::array<double, 3>>& points)
 {
   const double length = Distance(from.Place, to.Place);
-  if (depth >= MaximumDepth || length <= this->ChordTolerance)
+  if (depth >= MaximumDepth || length <= this->Options.ChordTolerance)
   {
     return true;
   }
@@ -374,7 +450,7 @@ bool FaceRidgeFinder::Refine(
   }
   const Point2 middle{ 0.5 * (from.Place.X + to.Place.X), 0.5 * (from.Place.Y + to.Place.Y) };
   const bool isSmooth = HavePair(from.Before, from.After, to.Before, to.After, this->Size);
-  if (Distance(middle, between.Place) <= this->ChordTolerance &&
+  if (Distance(middle, between.Place) <= this->Options.ChordTolerance &&
     (isSmooth || depth >= MinimumDepth))
   {
     return true;

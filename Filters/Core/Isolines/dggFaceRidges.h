@@ -5,8 +5,10 @@
 #ifndef dggFaceRidges_h
 #define dggFaceRidges_h
 
+#include "dggEdgeProfile.h" // for EdgeProfile
 #include "dggFaceProfile.h" // for FaceProfile
 #include "dggFieldJumps.h"  // for FieldJump
+#include "dggRidges.h"      // for RidgeOptions
 
 #include <array>   // for barycentric coordinates
 #include <cstdint> // for the support of ends
@@ -51,11 +53,12 @@ struct FaceRidges
   std::array<std::array<float, 2>, 3> RimAngles{};
 };
 
-/// Finds the ridges in faces, one face at a time.
+/// Finds the ridges in faces, one face at a time, or the lines between points with different
+/// nearest sources.
 class FaceRidgeFinder
 {
 public:
-  FaceRidgeFinder(const DistanceField& field, double angle, double chordTolerance);
+  FaceRidgeFinder(const DistanceField& field, const RidgeOptions& options);
 
   /// Finds the ridges of a face. The face must be reached.
   void Find(Id f, FaceRidges& found);
@@ -79,12 +82,16 @@ private:
   using Crossing = FieldJump; // a ridge point, located at the tie
 
   Rim MakeRim();
+  std::vector<double> PlacesBetweenChanges(int k);
   void AddSide(int k, const Point2& from, const Point2& to, Rim& rim);
   void AddCorner(int k, const Point2& from, const Point2& to, Rim& rim);
   Id AddEnd(const RidgeEnd& end, const Crossing& crossing);
   void Connect(const Rim& rim);
+  bool HidesSource(const Rim& rim) const;
+  void Reveal(Id source);
   void Divide(const Rim& rim);
   bool FindJunction(const std::vector<Id>& ridges, const Rim& rim, Point2& place) const;
+  Point2 MeanOf(const std::vector<Id>& ridges) const;
   void MakeJunction(const std::vector<Id>& ridges, const Point2& place);
   bool AddPiece(Id from, Id to, bool mayFail);
   bool Refine(const Crossing& from, const Crossing& to, int depth,
@@ -94,12 +101,14 @@ private:
   bool IsNearest(const FieldSample& source, const Point2& p) const;
 
   const DistanceField& Field;
-  const double ChordTolerance;
+  const RidgeOptions Options;
   FaceProfile Profile;
+  EdgeProfile Edge;
   FieldJumpFinder Jumps;
   FaceRidges* Found = nullptr;
   double Size = 0.0;               // length of the longest edge
   std::vector<Crossing> Crossings; // per end
+  std::vector<FieldSample> Hidden; // sources in the face whose cells are on no boundary so far
   Id Fallbacks = 0;
 };
 }

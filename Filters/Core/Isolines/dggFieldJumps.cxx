@@ -32,7 +32,7 @@ double AngleBetween(const FieldSample& a, const FieldSample& b)
 
 bool HaveOneSource(const FieldSample& a, const FieldSample& b, double length)
 {
-  if (!a.HasImage || !b.HasImage)
+  if (!a.HasImage || !b.HasImage || a.Source != b.Source)
   {
     return false;
   }
@@ -109,12 +109,23 @@ bool MoveToTie(const FieldSample& a, const FieldSample& b, const FieldSample& c,
 void FieldJumpFinder::Find(
   const Point2& p, const Point2& q, int count, double width, std::vector<FieldJump>& jumps) const
 {
+  std::vector<double> places;
+  for (int i = 1; i < count; ++i)
+  {
+    places.push_back(static_cast<double>(i) / count);
+  }
+  this->Find(p, q, places, width, jumps);
+}
+
+void FieldJumpFinder::Find(const Point2& p, const Point2& q, const std::vector<double>& places,
+  double width, std::vector<FieldJump>& jumps) const
+{
   const Way way{ p, q, Distance(p, q), width, &jumps };
   double begin = 0.0;
   FieldSample atBegin = this->Profile.SampleAt(p);
-  for (int i = 1; i <= count; ++i)
+  for (std::size_t i = 0; i <= places.size(); ++i)
   {
-    const double end = static_cast<double>(i) / count;
+    const double end = i < places.size() ? places[i] : 1.0;
     const FieldSample atEnd = this->Profile.SampleAt(way.At(end));
     this->Search(way, begin, atBegin, end, atEnd);
     begin = end;
@@ -122,18 +133,35 @@ void FieldJumpFinder::Find(
   }
 }
 
-/// Searches for jumps in an interval. Intervals with at least half the angle are bisected, because
-/// the gradient may turn back before and after a jump.
+/// Returns true if there may be a jump between two points at the given distance. Intervals with at
+/// least half the angle are searched, because the gradient may turn back before and after a jump.
+/// On overflow the angle is undefined, and the search is useless.
+bool FieldJumpFinder::MayJump(const FieldSample& a, const FieldSample& b, double length) const
+{
+  return (this->BetweenSources || AngleBetween(a, b) >= 0.5 * this->Angle) &&
+    !HaveOneSource(a, b, length);
+}
+
+/// Returns true if there is a jump between two samples that are close to each other.
+bool FieldJumpFinder::IsJump(
+  const Way& way, const FieldSample& before, const FieldSample& after) const
+{
+  if (this->BetweenSources)
+  {
+    return before.Source != after.Source;
+  }
+  const Point2 change = Difference(after.Gradient, before.Gradient);
+  const double apart = Dot(change, Difference(way.To, way.From)) / way.Length;
+  return AngleBetween(before, after) >= this->Angle &&
+    apart <= ApartTolerance * Norm(change.X, change.Y);
+}
+
+/// Searches for jumps in an interval.
 void FieldJumpFinder::Search(const Way& way, double begin, const FieldSample& atBegin, double end,
   const FieldSample& atEnd) const
 {
-  const double angle = AngleBetween(atBegin, atEnd);
-  // On overflow the angle is undefined, and bisection is useless.
-  if (!(angle >= 0.5 * this->Angle) || HaveOneSource(atBegin, atEnd, way.Length))
-  {
-    return;
-  }
-  if (this->SearchTie(way, begin, atBegin, end, atEnd))
+  if (!this->MayJump(atBegin, atEnd, way.Length) ||
+    this->SearchTie(way, begin, atBegin, end, atEnd))
   {
     return;
   }
@@ -150,10 +178,7 @@ void FieldJumpFinder::Search(const Way& way, double begin, const FieldSample& at
     this->Search(way, middle, atMiddle, end, atEnd);
     return;
   }
-  if (angle >= this->Angle)
-  {
-    this->Add(way, middle, atBegin, atEnd);
-  }
+  this->Add(way, middle, atBegin, atEnd);
 }
 
 /// Handles the usual case of two sources, with the jump at their tie. Returns false in other cases.
@@ -187,10 +212,7 @@ bool FieldJumpFinder::SearchTie(const Way& way, double begin, const FieldSample&
 void FieldJumpFinder::Add(
   const Way& way, double t, const FieldSample& before, const FieldSample& after) const
 {
-  const Point2 change = Difference(after.Gradient, before.Gradient);
-  const double apart = Dot(change, Difference(way.To, way.From)) / way.Length;
-  if (AngleBetween(before, after) >= this->Angle &&
-    apart <= ApartTolerance * Norm(change.X, change.Y))
+  if (this->IsJump(way, before, after))
   {
     way.Jumps->push_back({ way.At(t), before, after });
   }

@@ -40,14 +40,16 @@ bool MoveToTie(
 /// if no such position is found.
 bool MoveToTie(const FieldSample& a, const FieldSample& b, const FieldSample& c, Point2& p);
 
-/// Finds jumps of the gradient along segments in a face.
+/// Finds jumps along segments in a face: of the gradient, or from one nearest source to another.
 class FieldJumpFinder
 {
 public:
-  /// Prepares the search in a face. `angle` is the smallest jump that is detected, in radians.
-  FieldJumpFinder(const FaceProfile& profile, double angle)
+  /// Prepares the search in a face. `angle` is the smallest jump of the gradient that is detected,
+  /// in radians. If `betweenSources` is true, the jumps are changes of FieldSample::Source instead.
+  FieldJumpFinder(const FaceProfile& profile, double angle, bool betweenSources = false)
     : Profile(profile)
     , Angle(angle)
+    , BetweenSources(betweenSources)
   {
   }
 
@@ -63,6 +65,9 @@ public:
   /// source lies between diverging gradients.
   void Find(
     const Point2& p, const Point2& q, int count, double width, std::vector<FieldJump>& jumps) const;
+  /// The same with samples at p, q and `places` between them, increasing fractions of the segment.
+  void Find(const Point2& p, const Point2& q, const std::vector<double>& places, double width,
+    std::vector<FieldJump>& jumps) const;
 
 private:
   struct Way
@@ -79,6 +84,8 @@ private:
     }
   };
 
+  bool MayJump(const FieldSample& a, const FieldSample& b, double length) const;
+  bool IsJump(const Way& way, const FieldSample& before, const FieldSample& after) const;
   void Search(const Way& way, double begin, const FieldSample& atBegin, double end,
     const FieldSample& atEnd) const;
   bool SearchTie(const Way& way, double begin, const FieldSample& atBegin, double end,
@@ -90,6 +97,7 @@ private:
 
   const FaceProfile& Profile;
   const double Angle;
+  const bool BetweenSources;
   mutable int SamplesLeft = MostSamples;
 };
 }

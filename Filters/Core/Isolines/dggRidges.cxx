@@ -156,11 +156,11 @@ private:
 class EdgeJoiner
 {
 public:
-  EdgeJoiner(const DistanceField& field, double angle, const std::vector<FaceRidges>& faces,
-    RidgeGraph& graph)
+  EdgeJoiner(const DistanceField& field, const RidgeOptions& options,
+    const std::vector<FaceRidges>& faces, RidgeGraph& graph)
     : Mesh(*field.Mesh)
     , Field(field)
-    , Angle(angle)
+    , Options(options)
     , Faces(faces)
     , Graph(graph)
     , Left(field)
@@ -192,7 +192,7 @@ private:
 
   const SurfaceMesh& Mesh;
   const DistanceField& Field;
-  const double Angle;
+  const RidgeOptions Options;
   const std::vector<FaceRidges>& Faces;
   RidgeGraph& Graph;
   FaceProfile Left;
@@ -240,7 +240,7 @@ void EdgeJoiner::JoinEdge(Id h)
     this->Collect(e, h, meetings);
   }
   this->Merge(h, meetings);
-  if (halfEdges.size() == 2)
+  if (halfEdges.size() == 2 && !this->Options.BetweenSources)
   {
     this->JoinAlong(h, halfEdges[1], meetings);
   }
@@ -355,7 +355,7 @@ void EdgeJoiner::JoinAlong(Id h, Id twin, std::vector<Meeting>& meetings)
 bool EdgeJoiner::IsRidge(double left, double right, bool isMirrored) const
 {
   const double opposite = isMirrored ? -right : right + Pi;
-  return std::abs(std::remainder(left - opposite, 2.0 * Pi)) >= this->Angle &&
+  return std::abs(std::remainder(left - opposite, 2.0 * Pi)) >= this->Options.MinimumAngle &&
     std::sin(left) < std::sin(opposite);
 }
 
@@ -411,17 +411,19 @@ Status FindRidges(const DistanceField& field, const RidgeOptions& options,
 {
   ridges = Ridges();
   DGG_RETURN_IF_ERROR(CheckArguments(field, options));
-  const double angle =
+  RidgeOptions limited = options;
+  limited.MinimumAngle =
     std::max(field.HasWindows() ? SmallestAngle : SmallestAngleOfModels, options.MinimumAngle);
-  const double tolerance = options.ChordTolerance > 0.0
-    ? options.ChordTolerance
-    : DefaultTolerance * field.Mesh->GetMeanEdgeLength();
+  if (options.ChordTolerance == 0.0)
+  {
+    limited.ChordTolerance = DefaultTolerance * field.Mesh->GetMeanEdgeLength();
+  }
   const Offset count = field.Mesh->GetNumberOfFaces();
   std::vector<FaceRidges> faces(count);
   std::vector<Id> fallbacks((count + FacesInBlock - 1) / FacesInBlock, 0);
   DGG_RETURN_IF_ERROR(ForBlocks(
     count, FacesInBlock, parallel, ProgressPart(progress, 0.0, FacesDone),
-    [&] { return FaceRidgeFinder(field, angle, tolerance); },
+    [&] { return FaceRidgeFinder(field, limited); },
     [&](FaceRidgeFinder& finder, Offset block, Offset begin, Offset end) {
       const Id before = finder.GetNumberOfFallbacks();
       for (Id f = static_cast<Id>(begin); f < static_cast<Id>(end); ++f)
@@ -434,7 +436,7 @@ Status FindRidges(const DistanceField& field, const RidgeOptions& options,
       fallbacks[block] = finder.GetNumberOfFallbacks() - before;
     }));
   RidgeGraph graph(*field.Mesh);
-  EdgeJoiner(field, angle, faces, graph).Run();
+  EdgeJoiner(field, limited, faces, graph).Run();
   graph.MakeLines(ridges);
   for (const Id number : fallbacks)
   {

@@ -25,6 +25,9 @@ struct RidgeOptions
   /// Largest distance of a line from the ridge, model units; 0 means a thousandth of the mean edge
   /// length.
   double ChordTolerance = 0.0;
+  /// If true, find the lines between points with different nearest sources instead, at any angle.
+  /// Needs windows and DistanceField::NearestSource. Lines along edges are not found.
+  bool BetweenSources = false;
 };
 
 /// Polylines on a surface that meet only at their ends.

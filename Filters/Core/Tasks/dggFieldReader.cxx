@@ -129,6 +129,10 @@ Status FieldReader::SetDistances(
 void FieldReader::SetSources(const InputArray& sources)
 {
   const auto size = static_cast<Offset>(this->Distances.size());
+  if (this->Field.HasWindows())
+  {
+    return;
+  }
   if (!sources.Fits(size, 3))
   {
     if (sources.AreNumbers)

@@ -40,7 +40,7 @@ public:
   void SetWindows(EdgeWindows windows) { this->Windows = std::move(windows); }
   /// Takes the virtual sources (three numbers per point of the input: offset, length, angle), if
   /// there are any. Warns about virtual sources of another size or of other distances; they are
-  /// ignored. Only used without windows.
+  /// ignored. No effect after SetWindows().
   void SetSources(const InputArray& sources);
   /// Fits virtual sources to the distances unless there are windows or virtual sources.
   Status Complete(const TaskContext& context, const ProgressCallback& progress);

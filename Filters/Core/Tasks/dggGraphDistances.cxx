@@ -2,9 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggGraphDistances.h"
 
+#include "dggDistanceMethods.h"
 #include "dggDistanceOutput.h"
+#include "dggExactGeodesics.h"
 #include "dggGraphSession.h"
+#include "dggMeshQuality.h"
 #include "dggPreparedSurface.h"
+#include "dggProgressPart.h"
 #include "dggSourceFinding.h"
 
 #include <algorithm>
@@ -14,6 +18,9 @@ namespace dgg
 {
 namespace
 {
+/// Progress after the search, if windows follow.
+constexpr double SearchedAt = 0.5;
+
 /// Returns the values at the given vertices.
 template <typename Value>
 std::vector<Value> Select(const std::vector<Value>& values, const std::vector<Id>& vertices)
@@ -22,6 +29,16 @@ std::vector<Value> Select(const std::vector<Value>& values, const std::vector<Id
   std::transform(
     vertices.begin(), vertices.end(), selected.begin(), [&](Id vertex) { return values[vertex]; });
   return selected;
+}
+
+/// Fills the arrays of a task with lengths of paths.
+void FillArrays(const SearchResult& result, DistanceTask& task)
+{
+  for (VertexArray& array : task.Arrays)
+  {
+    array.Components = { task.IsSparse ? Select(result.Distances, task.Vertices)
+                                       : result.Distances };
+  }
 }
 
 /// Moves the requested values of a search to the task.
@@ -44,11 +61,7 @@ void TakeResults(
       index = index == NoId ? NoId : seeds[index].Source;
     }
   }
-  for (VertexArray& array : task.Arrays)
-  {
-    array.Components = { task.IsSparse ? Select(result.Distances, task.Vertices)
-                                       : result.Distances };
-  }
+  FillArrays(result, task);
   task.Distances = take(correct ? result.Corrected : result.Distances);
 }
 }
@@ -59,14 +72,33 @@ Status FindGraphDistances(const TaskContext& context, GraphSession& graph, Searc
   const bool isCorrected = correct && !context.Surface.IsCloud();
   std::vector<GraphSeed> seeds;
   DGG_RETURN_IF_ERROR(graph.MakeSeeds(context, task.Sources, seeds));
+  const ProgressCallback progress = graph.GetRemainingProgress(context);
   SearchOptions options;
   options.Method = method;
   options.Correct = isCorrected || task.WantVirtualSource;
   options.MaximumDistance =
     isCorrected ? graph.WidenLimit(task.MaximumDistance, task.Sources) : task.MaximumDistance;
-  options.Progress = graph.GetRemainingProgress(context);
+  options.Progress = task.WantVirtualSource ? ProgressPart(progress, 0.0, SearchedAt) : progress;
   SearchResult& result = graph.GetResult();
   DGG_RETURN_IF_ERROR(graph.GetSearch().Run(seeds, options, result));
+  if (isCorrected && task.WantVirtualSource &&
+    HasCoarseTriangles(
+      context.Surface, graph.GetLinkAccuracy(), result.Distances, ErrorInsideTriangles))
+  {
+    TaskContext rest = context;
+    rest.Progress = ProgressPart(progress, SearchedAt, 1.0);
+    const Status status = FindExactDistances(rest, ExactEngine::Triangle, true, task);
+    if (status.GetCode() == Status::Code::OutOfMemory)
+    {
+      task.QualityWarning = NoMemoryForWindows;
+    }
+    else
+    {
+      DGG_RETURN_IF_ERROR(status);
+      FillArrays(result, task);
+      return Status::Success();
+    }
+  }
   if (task.WantVirtualSource)
   {
     FindVirtualSources(context.Surface.GetMesh(), result,

@@ -5,12 +5,14 @@
 #ifndef dggMeshQuality_h
 #define dggMeshQuality_h
 
+#include "dggCoreExport.h"      // for DGG_CORE_EXPORT
 #include "dggPreparedSurface.h" // for the mesh
 
 #include "dggStatus.h"
 
 #include <initializer_list> // for reasons
 #include <string>           // for reasons
+#include <vector>           // for distances
 
 namespace dgg
 {
@@ -24,6 +26,20 @@ inline bool HasLongTriangles(const PreparedSurface& surface)
 {
   return surface.GetMeanAnisotropy() > LargestAnisotropy;
 }
+
+/// Errors inside triangles that virtual sources are expected not to exceed, in mean edges: of
+/// distances, and of borders between cells. Measured at ε = 0.1, 0.01 and 0.001 on 68 generated
+/// machine parts and 9 scans.
+/// @{
+constexpr double ErrorInsideTriangles = 1.0;
+constexpr double ErrorAtBorders = 0.25;
+/// @}
+
+/// Returns true if errors inside triangles may exceed the accuracy: on long triangles, or if
+/// accuracy times the largest distance is less than `error` mean edges. The mean is weighted by
+/// area, over reached triangles; distances are measured from the smallest one.
+DGG_CORE_EXPORT bool HasCoarseTriangles(const PreparedSurface& surface, double accuracy,
+  const std::vector<double>& distances, double error);
 
 /// Returns a warning with the consequence and the remedy if much of the surface is covered by long
 /// triangles, otherwise an empty text.
@@ -44,6 +60,16 @@ constexpr const char* LongTrianglesHideSources =
   "inside them, distances from virtual sources may be off by more than half of the largest "
   "distance. Use exact distances with windows, or remesh the surface";
 /// @}
+
+/// Warning if there is no memory for exact distances on coarse triangles.
+constexpr const char* NoMemoryForWindows =
+  "Windows need more than {MemoryLimit}, so errors inside triangles may exceed the accuracy of the "
+  "graph. Increase {MemoryLimit} or remesh the surface";
+
+/// Warning if exact cells on coarse triangles cannot be cut, as with coordinates of extreme scales.
+constexpr const char* NoExactCells =
+  "Exact cells were not found, so borders inside triangles may be less accurate than the graph. "
+  "Remesh the surface";
 
 /// Warning for results that did not converge (PropagationResult::IsSettled).
 constexpr const char* UnsettledDistances =

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggVoronoiTask.h"
 
+#include "dggDistanceMethods.h"
 #include "dggDistanceOutput.h"
+#include "dggExactGeodesics.h"
 #include "dggGraphSession.h"
 #include "dggMeshQuality.h"
 #include "dggOutput.h"
@@ -12,6 +14,7 @@
 #include "dggPropertyChecks.h"
 #include "dggSourceCollection.h"
 #include "dggSurfaceOutput.h"
+#include "dggWindowCells.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -25,6 +28,13 @@ namespace
 {
 /// Progress weight of moving the sites, after the graph.
 constexpr double MovingShare = 0.9;
+/// Progress weights of the first of two attempts, and of exact distances in exact cells.
+constexpr double FirstShare = 0.5;
+constexpr double ExactShare = 0.5;
+/// Largest distance of segments from exact borders, in mean edges times the accuracy, and in mean
+/// edges.
+constexpr double ChordShare = 0.025;
+constexpr double LargestChord = 2.5e-4;
 
 /// Returns true if there are neither cells nor borders.
 bool HasLabelsOnly(const TaskContext& context, const VoronoiOptions& options)
@@ -51,6 +61,38 @@ Status MoveSites(const TaskContext& context, GraphSession& graph, const VoronoiO
     result.Sites[i].Point = places[i];
   }
   return Status::Success();
+}
+
+/// Computes the diagram of exact distances. If this fails, the diagram of the result remains, with
+/// a warning; only an abort is returned. `isDone` tells whether the diagram was computed.
+Status FindExactCells(const TaskContext& context, double accuracy, const ProgressCallback& progress,
+  VoronoiResult& result, bool& isDone)
+{
+  TaskContext exact = context;
+  exact.Progress = ProgressPart(progress, 0.0, ExactShare);
+  DistanceTask task{ {}, result.Sites };
+  Status status = FindExactDistances(exact, ExactEngine::Triangle, true, task);
+  VoronoiDiagram diagram;
+  if (status.IsOk())
+  {
+    const SurfaceMesh& mesh = context.Surface.GetMesh();
+    const DistanceField field{ &mesh, task.Distances.data(), &task.Windows, nullptr,
+      task.NearestSource.data() };
+    status = ComputeWindowCells(field,
+      std::min(LargestChord, ChordShare * accuracy) * mesh.GetMeanEdgeLength(), context.Parallel,
+      ProgressPart(progress, ExactShare, 1.0), diagram);
+  }
+  isDone = status.IsOk();
+  if (isDone)
+  {
+    result.Diagram = std::move(diagram);
+  }
+  else
+  {
+    result.QualityWarning =
+      status.GetCode() == Status::Code::OutOfMemory ? NoMemoryForWindows : NoExactCells;
+  }
+  return status.IsAborted() ? status : Status::Success();
 }
 
 /// Makes the outputs of a diagram.
@@ -186,6 +228,7 @@ private:
   void WritePoints(const std::vector<Id>& points, Output& output) const
   {
     std::vector<SurfacePoint> places;
+    places.reserve(points.size());
     for (const Id point : points)
     {
       places.push_back(this->GetPlace(point));
@@ -197,6 +240,7 @@ private:
   void WriteDistances(const std::vector<Id>& points, Output& output) const
   {
     std::vector<double> distances;
+    distances.reserve(points.size());
     for (const Id point : points)
     {
       distances.push_back(point < this->NumberOfVertices
@@ -242,18 +286,41 @@ Status FindVoronoiCells(const TaskContext& context, GraphSession& graph,
     DGG_RETURN_IF_ERROR(
       MoveSites(context, graph, options, ProgressPart(progress, 0.0, MovingShare), result));
   }
+  const ProgressCallback rest =
+    ProgressPart(progress, options.IsCentroidal ? MovingShare : 0.0, 1.0);
   VoronoiInput input;
   input.LabelsOnly = HasLabelsOnly(context, options);
+  const bool isRefined = options.IsRefined && !input.LabelsOnly;
+  const bool isLong = isRefined && HasLongTriangles(context.Surface);
+  const double accuracy = graph.GetLinkAccuracy();
+  bool isDone = false;
+  if (isLong)
+  {
+    DGG_RETURN_IF_ERROR(
+      FindExactCells(context, accuracy, ProgressPart(rest, 0.0, FirstShare), result, isDone));
+  }
+  if (isDone)
+  {
+    return ReportTo(rest, 1.0);
+  }
   DGG_RETURN_IF_ERROR(graph.MakeSeeds(context, result.Sites, input.Seeds));
-  if (options.IsRefined && !input.LabelsOnly)
+  if (isRefined)
   {
     DGG_RETURN_IF_ERROR(graph.PrepareBuilder(context));
     input.Builder = &graph.GetBuilder();
-    input.Accuracy = graph.GetLinkAccuracy();
+    input.Accuracy = accuracy;
   }
   input.Places = GetPoints(result.Sites);
-  return ComputeVoronoi(graph.GetSearch(), context.Surface.GetMesh(), input,
-    ProgressPart(progress, options.IsCentroidal ? MovingShare : 0.0, 1.0), result.Diagram);
+  const double begin = isLong ? FirstShare : 0.0;
+  DGG_RETURN_IF_ERROR(ComputeVoronoi(graph.GetSearch(), context.Surface.GetMesh(), input,
+    ProgressPart(rest, begin, isRefined ? FirstShare + begin : 1.0), result.Diagram));
+  if (isRefined && !isLong &&
+    HasCoarseTriangles(context.Surface, accuracy, result.Diagram.Distances, ErrorAtBorders))
+  {
+    DGG_RETURN_IF_ERROR(
+      FindExactCells(context, accuracy, ProgressPart(rest, FirstShare, 1.0), result, isDone));
+  }
+  return ReportTo(rest, 1.0);
 }
 
 //------------------------------------------------------------------------------

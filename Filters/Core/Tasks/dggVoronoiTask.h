@@ -44,7 +44,7 @@ struct VoronoiResult
   std::vector<GeodesicSource> Sites;
   VoronoiDiagram Diagram;
   std::vector<double> Energies; ///< one per iteration; empty unless sites are moved
-  std::string QualityWarning;   ///< reasons why cells of a preview may be wrong
+  std::string QualityWarning;   ///< reasons why cells may be wrong
 };
 
 /// Computes the diagram of the sites in `result`, and moves the sites if requested. `graph` must be

@@ -20,8 +20,8 @@ namespace dgg
 /// followed by points on the borders of cells, where these cross edges of the surface or meet
 /// inside faces.
 ///
-/// Every border point has one id in all faces that contain it: crossings of an edge are computed
-/// only from the distances at the ends of that edge. Therefore cells and borders have no gaps.
+/// Every border point has one id in all faces that contain it. Therefore cells and borders have no
+/// gaps.
 struct VoronoiDiagram
 {
   /// Per vertex, the nearest site (on ties, the first one) and the estimated distance from it; NoId

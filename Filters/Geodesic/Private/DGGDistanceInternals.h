@@ -37,7 +37,7 @@ public:
   virtual dgg::Status ComputeDistances(const DGGContext& context, dgg::DistanceTask& task) = 0;
 
   /// Reports why distances may be far off; an empty text for no reason.
-  virtual void ReportQuality(const std::string& vtkNotUsed(warning)) {}
+  virtual void ReportQuality(const std::string& warning) { this->WarnAboutQuality(warning); }
 
   /// Returns the point arrays that ComputeDistances() fills besides distances and nearest sources.
   /// Default none.

@@ -38,7 +38,7 @@ constexpr const char* VirtualSourceName = "GeodesicVirtualSource";
   "    \"GeodesicDistance.Unreached\".\n"                                                        \
   "generate_nearest_source, generate_virtual_source : bool\n"                                    \
   "    Add \"GeodesicSource\" (int32, -1 if unreached) or \"GeodesicVirtualSource\" (offset, "   \
-  "length, angle).\n"                                                                            \
+  "length, angle), and for a graph on large triangles exact distances with windows.\n"           \
   "distance_array_name, source_array_name, virtual_source_array_name : str\n"                    \
   "    Names of the arrays.\n" parameters                                                        \
   "projection_tolerance, memory_limit, number_of_threads, progress\n"                            \

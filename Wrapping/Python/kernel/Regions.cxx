@@ -37,7 +37,8 @@ generate_cells : bool
 preview : bool
     Find the nearest site of each point by virtual sources, in milliseconds; no bound of the error.
 refine_boundaries : bool
-    Move points of boundaries to where both distances are equal.
+    Move points of boundaries to where both distances are equal. Boundaries are exact where
+    triangles are large for the accuracy of the graph.
 unreached_value : float
     Distance of unreached points. Default: NaN.
 distance_array_name, source_array_name : str
