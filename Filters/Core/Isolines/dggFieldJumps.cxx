@@ -13,6 +13,8 @@ namespace
 constexpr double ImageTolerance = 1e-8;
 /// Minimum divergence of gradients that indicates a source between them.
 constexpr double ApartTolerance = 0.05;
+/// Largest width of slits, relative to the segment.
+constexpr double SlitWidth = 1e-5;
 constexpr int NewtonSteps = 12;
 /// Relative step below which steps are rounding errors.
 constexpr double LastStep = 1e-15;
@@ -121,6 +123,7 @@ void FieldJumpFinder::Find(const Point2& p, const Point2& q, const std::vector<d
   double width, std::vector<FieldJump>& jumps) const
 {
   const Way way{ p, q, Distance(p, q), width, &jumps };
+  const std::size_t first = jumps.size();
   double begin = 0.0;
   FieldSample atBegin = this->Profile.SampleAt(p);
   for (std::size_t i = 0; i <= places.size(); ++i)
@@ -130,6 +133,31 @@ void FieldJumpFinder::Find(const Point2& p, const Point2& q, const std::vector<d
     this->Search(way, begin, atBegin, end, atEnd);
     begin = end;
     atBegin = atEnd;
+  }
+  if (this->BetweenSources)
+  {
+    this->RemoveSlits(way, first);
+  }
+}
+
+/// Removes pairs of jumps, from a given one on, that are close to each other and lead back to the
+/// same source.
+void FieldJumpFinder::RemoveSlits(const Way& way, std::size_t first) const
+{
+  std::vector<FieldJump>& jumps = *way.Jumps;
+  for (std::size_t i = first; i + 1 < jumps.size();)
+  {
+    const auto pair = jumps.begin() + static_cast<std::ptrdiff_t>(i);
+    if (pair[0].Before.Source == pair[1].After.Source &&
+      Distance(pair[0].Place, pair[1].Place) <= SlitWidth * way.Length)
+    {
+      jumps.erase(pair, pair + 2);
+      i = i > first ? i - 1 : i;
+    }
+    else
+    {
+      ++i;
+    }
   }
 }
 

@@ -45,7 +45,8 @@ class FieldJumpFinder
 {
 public:
   /// Prepares the search in a face. `angle` is the smallest jump of the gradient that is detected,
-  /// in radians. If `betweenSources` is true, the jumps are changes of FieldSample::Source instead.
+  /// in radians. If `betweenSources` is true, the jumps are changes of FieldSample::Source instead,
+  /// without slits: windows that are too narrow are not stored (dggEdgeWindows.h).
   FieldJumpFinder(const FaceProfile& profile, double angle, bool betweenSources = false)
     : Profile(profile)
     , Angle(angle)
@@ -86,6 +87,7 @@ private:
 
   bool MayJump(const FieldSample& a, const FieldSample& b, double length) const;
   bool IsJump(const Way& way, const FieldSample& before, const FieldSample& after) const;
+  void RemoveSlits(const Way& way, std::size_t first) const;
   void Search(const Way& way, double begin, const FieldSample& atBegin, double end,
     const FieldSample& atEnd) const;
   bool SearchTie(const Way& way, double begin, const FieldSample& atBegin, double end,
