@@ -87,17 +87,16 @@ Status FindGraphDistances(const TaskContext& context, GraphSession& graph, Searc
   {
     TaskContext rest = context;
     rest.Progress = ProgressPart(progress, SearchedAt, 1.0);
-    const Status status = FindExactDistances(rest, ExactEngine::Triangle, true, task);
-    if (status.GetCode() == Status::Code::OutOfMemory)
+    Status status = FindExactDistances(rest, ExactEngine::Triangle, true, task);
+    if (status.IsOk())
     {
-      task.QualityWarning = NoMemoryForWindows;
-    }
-    else
-    {
-      DGG_RETURN_IF_ERROR(status);
       FillArrays(result, task);
-      return Status::Success();
     }
+    if (status.IsOk() || status.IsAborted())
+    {
+      return status;
+    }
+    task.QualityWarning = DescribeMissingWindows(status);
   }
   if (task.WantVirtualSource)
   {

@@ -61,15 +61,15 @@ constexpr const char* LongTrianglesHideSources =
   "distance. Use exact distances with windows, or remesh the surface";
 /// @}
 
-/// Warning if there is no memory for exact distances on coarse triangles.
-constexpr const char* NoMemoryForWindows =
-  "Windows need more than {MemoryLimit}, so errors inside triangles may exceed the accuracy of the "
-  "graph. Increase {MemoryLimit} or remesh the surface";
-
-/// Warning if exact cells on coarse triangles cannot be cut, as with coordinates of extreme scales.
-constexpr const char* NoExactCells =
-  "Exact cells were not found, so borders inside triangles may be less accurate than the graph. "
-  "Remesh the surface";
+/// Returns the warning if exact distances fail on coarse triangles, so that the graph is used.
+inline std::string DescribeMissingWindows(const Status& status)
+{
+  return status.GetCode() == Status::Code::OutOfMemory
+    ? "Windows need more than {MemoryLimit}, so errors inside triangles may exceed the accuracy of "
+      "the graph. Increase {MemoryLimit} or remesh the surface"
+    : "Windows were not found, so errors inside triangles may exceed the accuracy of the graph. "
+      "Remesh the surface";
+}
 
 /// Warning for results that did not converge (PropagationResult::IsSettled).
 constexpr const char* UnsettledDistances =

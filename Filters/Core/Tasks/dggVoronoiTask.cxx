@@ -89,8 +89,7 @@ Status FindExactCells(const TaskContext& context, double accuracy, const Progres
   }
   else
   {
-    result.QualityWarning =
-      status.GetCode() == Status::Code::OutOfMemory ? NoMemoryForWindows : NoExactCells;
+    result.QualityWarning = DescribeMissingWindows(status);
   }
   return status.IsAborted() ? status : Status::Success();
 }
