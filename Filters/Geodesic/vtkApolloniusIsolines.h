@@ -17,10 +17,10 @@
  *
  * <b>Guarantee and cost</b>. With windows (vtkExactGeodesicDistance::GenerateWindowsOn(), and
  * vtkDGGDistance on large triangles), points of lines have their value up to rounding, and ridges
- * are exact. Virtual sources
- * (GenerateVirtualSourceOn() of any distance filter), or those fitted to the distances, have no
- * bound: errors in long triangles, as in CAD models, may exceed half of the largest distance, and
- * some ridges are spurious. A warning recommends windows if GetMeanAnisotropy() is above 2.
+ * are exact. Virtual sources (GenerateVirtualSourceOn() of any distance filter), or those fitted to
+ * the distances, have no bound: errors in long triangles, as in CAD models, may exceed half of the
+ * largest distance, and some ridges are spurious. A warning recommends windows if
+ * GetMeanAnisotropy() is above 2.
  *
  * <b>Errors</b>. All errors of vtkGeodesicAlgorithm; no array of distances with one number per
  * point; a distance of minus infinity; a value that is not finite. If there is no line, and neither

@@ -19,10 +19,10 @@
  * long.
  *
  * Virtual sources (GenerateVirtualSource) do not determine distances inside large triangles within
- * the accuracy. If GetMeanAnisotropy() is above 2, or if accuracy times the largest distance is less
- * than the mean edge (weighted by area), GenerateVirtualSource with Correction stores exact
- * distances and windows, in the time of vtkExactGeodesicDistance. If windows exceed MemoryLimit, the
- * filter warns and returns distances of the graph.
+ * the accuracy. If GetMeanAnisotropy() is above 2, or if accuracy times the largest distance is
+ * less than the mean edge (weighted by area), GenerateVirtualSource with Correction stores exact
+ * distances and windows, in the time of vtkExactGeodesicDistance. If windows exceed MemoryLimit,
+ * the filter warns and returns distances of the graph.
  *
  * <b>Errors</b>. All errors of vtkGeodesicDistanceAlgorithm; a graph, or links of sources inside
  * triangles (about 250 bytes per triangle), beyond MemoryLimit; GenerateVirtualSource on a cloud.

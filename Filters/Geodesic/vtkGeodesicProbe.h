@@ -11,12 +11,12 @@
  * do not belong to the distances are ignored, with a warning.
  *
  * <b>Guarantee and cost</b>. Exact with windows (vtkExactGeodesicDistance::GenerateWindowsOn(), and
- * vtkDGGDistance on large triangles).
- * With virtual sources (GenerateVirtualSourceOn() of any distance filter), or those fitted to the
- * distances, without a bound: more accurate than linear interpolation if sources are many edges
- * apart, and less accurate between sources a few edges apart. In long triangles, as in CAD models,
- * errors may be as large as the largest distance. A warning recommends windows if
- * GetMeanAnisotropy() is above 2. There is one search in the surface per point.
+ * vtkDGGDistance on large triangles). With virtual sources (GenerateVirtualSourceOn() of any
+ * distance filter), or those fitted to the distances, without a bound: more accurate than linear
+ * interpolation if sources are many edges apart, and less accurate between sources a few edges
+ * apart. In long triangles, as in CAD models, errors may be as large as the largest distance. A
+ * warning recommends windows if GetMeanAnisotropy() is above 2. There is one search in the surface
+ * per point.
  *
  * <b>Errors</b>. All errors of vtkGeodesicAlgorithm; no points on port 1; a point that is not
  * finite or beyond ProjectionTolerance; no array of distances with one number per point. The module

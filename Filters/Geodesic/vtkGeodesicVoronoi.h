@@ -129,12 +129,12 @@ public:
   ///@{
   /**
    * If on, refine inaccurate borders. Border points that the surrounding triangles do not determine
-   * accurately are linked to the graph and moved, with limited work. If GetMeanAnisotropy() is above
-   * 2, or if accuracy times the largest distance is less than a quarter of the mean edge (weighted
-   * by area), distances and borders are exact instead, and cells may have curved sides in triangles.
-   * This takes longer than a vtkExactGeodesicDistance from the sites. If windows exceed MemoryLimit,
-   * the filter warns and uses the graph. Without cells, and to move sites (Centroidal), distances
-   * are always those of the graph. Default on.
+   * accurately are linked to the graph and moved, with limited work. If GetMeanAnisotropy() is
+   * above 2, or if accuracy times the largest distance is less than a quarter of the mean edge
+   * (weighted by area), distances and borders are exact instead, and cells may have curved sides in
+   * triangles. This takes longer than a vtkExactGeodesicDistance from the sites. If windows exceed
+   * MemoryLimit, the filter warns and uses the graph. Without cells, and to move sites
+   * (Centroidal), distances are always those of the graph. Default on.
    */
   vtkSetMacro(RefineBoundaries, bool);
   vtkGetMacro(RefineBoundaries, bool);

@@ -91,6 +91,7 @@ Status FindGraphDistances(const TaskContext& context, GraphSession& graph, Searc
     if (status.IsOk())
     {
       FillArrays(result, task);
+      result = SearchResult();
     }
     if (status.IsOk() || status.IsAborted())
     {

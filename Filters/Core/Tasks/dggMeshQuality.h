@@ -36,8 +36,9 @@ constexpr double ErrorAtBorders = 0.25;
 /// @}
 
 /// Returns true if errors inside triangles may exceed the accuracy: on long triangles, or if
-/// accuracy times the largest distance is less than `error` mean edges. The mean is weighted by
-/// area, over reached triangles; distances are measured from the smallest one.
+/// accuracy times the largest distance is less than `error` mean edges. The mean over the reached
+/// triangles is weighted by area. Because of initial distances, the smallest distance is subtracted
+/// from the largest one.
 DGG_CORE_EXPORT bool HasCoarseTriangles(const PreparedSurface& surface, double accuracy,
   const std::vector<double>& distances, double error);
 

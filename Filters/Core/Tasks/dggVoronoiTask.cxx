@@ -63,8 +63,8 @@ Status MoveSites(const TaskContext& context, GraphSession& graph, const VoronoiO
   return Status::Success();
 }
 
-/// Computes the diagram of exact distances. If this fails, the diagram of the result remains, with
-/// a warning; only an abort is returned. `isDone` tells whether the diagram was computed.
+/// Computes the diagram of exact distances, and sets `isDone` to true if this succeeds. Otherwise
+/// keeps the diagram of the result and sets its warning. Fails only if aborted.
 Status FindExactCells(const TaskContext& context, double accuracy, const ProgressCallback& progress,
   VoronoiResult& result, bool& isDone)
 {
