@@ -150,6 +150,23 @@ TEST(DistanceField, EdgesAndFacesAgree)
   }
 }
 
+/// Rays that enter the face through its leaning side meet the boundary edge, or diverge from it.
+TEST(DistanceField, WavefrontsReachTheBoundaryOfLeaningFaces)
+{
+  TestMesh leaning;
+  leaning.Points = { 0, 0, 0, 1, 0, 0, 3, 1, 0, 4, 0, 0 };
+  leaning.Triangles = { 0, 1, 2, 1, 3, 2 };
+  const SurfaceMesh mesh = Build(leaning);
+  const std::array<double, 3> place{ { 2.0 / 3.0, 2.0 / 15.0, 0.2 } }; // (1.8, 0.2)
+  const ExactField field(mesh, { { SurfacePoint::InTriangle(mesh, 1, place), 0.0 } });
+  EdgeProfile edge(field.Exact);
+  edge.Enter(0);
+  for (const double x : { 0.1, 0.3, 0.5, 0.7, 0.9 })
+  {
+    EXPECT_NEAR(edge.At(x), std::hypot(1.8 - x, 0.2), 1e-12);
+  }
+}
+
 TEST(DistanceField, CrossingsOfEdgesAreAtTheLevelAndAlternate)
 {
   const SurfaceMesh mesh = Build(Terrain(14, 0.6, 3));

@@ -53,7 +53,6 @@ void EdgeProfile::Enter(Id h)
     this->Field.Distances[mesh.Destination(representative)] } };
   this->Pieces.clear();
   this->Breaks.clear();
-  this->Models = {};
   if (this->Field.HasWindows())
   {
     ForEachHalfEdge(mesh, representative, [&](Id e) {
@@ -68,8 +67,7 @@ void EdgeProfile::Enter(Id h)
   }
   else
   {
-    this->SetUpModels();
-    this->SetUpOpposites();
+    this->SetUpFaces();
     this->FindModelBreaks();
     this->FindSteepness();
   }
@@ -296,79 +294,31 @@ bool EdgeProfile::FindPeak(double begin, double end, double& peak) const
   return peak > begin && peak < end;
 }
 
-void EdgeProfile::SetUpModels()
+/// Sets up the reached faces of the edge, through which wavefronts arrive.
+void EdgeProfile::SetUpFaces()
 {
+  this->NumberOfFaces = 0;
   if (!this->Field.HasSources())
   {
     return;
   }
   const SurfaceMesh& mesh = *this->Field.Mesh;
-  const VirtualSources& sources = *this->Field.Sources;
-  const Id h = this->HalfEdge;
-  // Half-edges at both ends: h itself, and for the destination the previous side of the same face.
-  const Id next = SurfaceMesh::Next(h);
-  const std::array<double, 2> polarAngles{ { mesh.PolarAngle(h),
-    mesh.PolarAngle(next) + mesh.CornerAngle(next) } };
-  const std::array<Id, 2> vertices{ { mesh.Origin(h), mesh.Destination(h) } };
-  for (int k = 0; k < 2; ++k)
-  {
-    const CornerModel& model = this->Models[k] =
-      CornerModel(mesh, vertices[k], sources[vertices[k]], this->Ends[k]);
-    this->Rays[k] = model.Along(polarAngles[k]);
-    this->Missing[k] = std::max(0.0,
-      this->Ends[1 - k] -
-        (model.IsKnown ? this->Rays[k].At(this->Length) : this->Ends[k] + this->Length));
-  }
-}
-
-/// Sets up the faces of the edge. Without the models of their opposite corners, the edge would have
-/// a crest where a wavefront crosses the edge, inconsistent with the faces.
-void EdgeProfile::SetUpOpposites()
-{
-  this->NumberOfOpposites = 0;
-  this->IsLinear = true;
-  if (!this->Field.HasSources())
-  {
-    return;
-  }
-  const SurfaceMesh& mesh = *this->Field.Mesh;
-  this->HasLinearFace = false;
   ForEachHalfEdge(mesh, this->HalfEdge, [&](Id e) {
     const Id f = SurfaceMesh::Face(e);
     if (this->Field.IsReached(f))
     {
-      if (this->NumberOfOpposites == this->Opposites.size())
+      if (this->NumberOfFaces == this->Faces.size())
       {
-        this->Opposites.push_back({ FaceProfile(this->Field), 0, {}, {} });
+        this->Faces.push_back({ FaceProfile(this->Field), {}, {} });
       }
-      Opposite& opposite = this->Opposites[this->NumberOfOpposites];
-      opposite.Profile.Enter(f);
-      if (opposite.Profile.IsModelled())
-      {
-        const int k = static_cast<int>(e - 3 * f);
-        const bool isSame = mesh.Origin(e) == mesh.Origin(this->HalfEdge);
-        const std::array<Point2, 3>& corners = opposite.Profile.GetCorners();
-        opposite.Corner = (k + 2) % 3;
-        opposite.From = corners[isSame ? k : (k + 1) % 3];
-        opposite.To = corners[isSame ? (k + 1) % 3 : k];
-        ++this->NumberOfOpposites;
-      }
-      else
-      {
-        this->HasLinearFace = true;
-      }
+      FaceOfEdge& face = this->Faces[this->NumberOfFaces++];
+      face.Profile.Enter(f);
+      const int k = static_cast<int>(e - 3 * f);
+      const bool isSame = mesh.Origin(e) == mesh.Origin(this->HalfEdge);
+      face.From = face.Profile.GetCorners()[isSame ? k : (k + 1) % 3];
+      face.To = face.Profile.GetCorners()[isSame ? (k + 1) % 3 : k];
     }
   });
-  this->IsLinear = !this->Models[0].IsKnown && !this->Models[1].IsKnown &&
-    (this->HasLinearFace || this->NumberOfOpposites == 0);
-}
-
-/// Returns the distance at an abscissa by the raised model of an end (dggDistanceField.h).
-double EdgeProfile::ModelAt(int end, double x) const
-{
-  const double rho = end == 0 ? x : this->Length - x;
-  const double missing = this->Missing[end] * rho / this->Length;
-  return missing + (this->Models[end].IsKnown ? this->Rays[end].At(rho) : this->Ends[end] + rho);
 }
 
 void EdgeProfile::FindModelBreaks()
@@ -385,14 +335,9 @@ void EdgeProfile::FindModelBreaks()
 void EdgeProfile::FindSteepness()
 {
   double raise = std::abs(this->Ends[1] - this->Ends[0]) - this->Length; // of linear fields
-  if (this->Field.HasSources())
+  for (std::size_t i = 0; i < this->NumberOfFaces; ++i)
   {
-    raise = std::max({ raise, this->Missing[0], this->Missing[1] });
-    for (std::size_t i = 0; i < this->NumberOfOpposites; ++i)
-    {
-      const Opposite& opposite = this->Opposites[i];
-      raise = std::max(raise, opposite.Profile.GetLargestRaise(opposite.Corner));
-    }
+    raise = std::max(raise, this->Faces[i].Profile.GetLargestRaise());
   }
   this->Steepness = 1.0 + std::max(0.0, raise) / this->Length;
 }
@@ -455,22 +400,21 @@ double EdgeProfile::At(double x) const
     }
     return least;
   }
-  return this->LeastOfModels(x);
+  return this->LeastOfFaces(x);
 }
 
-double EdgeProfile::LeastOfModels(double x) const
+/// Returns the smallest distance in all faces of the edge; linear without virtual sources.
+double EdgeProfile::LeastOfFaces(double x) const
 {
   const double t = x / this->Length;
-  const double ends = this->IsLinear ? (1.0 - t) * this->Ends[0] + t * this->Ends[1]
-                                     : std::min(this->ModelAt(0, x), this->ModelAt(1, x));
-  double least = this->HasLinearFace || this->NumberOfOpposites == 0 ? ends : Infinity;
-  for (std::size_t i = 0; i < this->NumberOfOpposites; ++i)
+  double least =
+    this->NumberOfFaces == 0 ? (1.0 - t) * this->Ends[0] + t * this->Ends[1] : Infinity;
+  for (std::size_t i = 0; i < this->NumberOfFaces; ++i)
   {
-    const Opposite& opposite = this->Opposites[i];
-    const Point2 p{ (1.0 - t) * opposite.From.X + t * opposite.To.X,
-      (1.0 - t) * opposite.From.Y + t * opposite.To.Y };
-    const double inFace = std::min(ends, opposite.Profile.ModelAt(opposite.Corner, p));
-    least = std::min(least, std::max(inFace, opposite.Profile.GetLowerBound(p).Distance));
+    const FaceOfEdge& face = this->Faces[i];
+    least = std::min(least,
+      face.Profile.At(
+        { (1.0 - t) * face.From.X + t * face.To.X, (1.0 - t) * face.From.Y + t * face.To.Y }));
   }
   return least;
 }

@@ -6,7 +6,6 @@
 #define dggEdgeProfile_h
 
 #include "dggCoreExport.h"    // for DGG_CORE_EXPORT
-#include "dggCornerModel.h"   // for the models of the ends
 #include "dggDistanceField.h" // for DistanceField
 #include "dggFaceProfile.h"   // for the faces of an edge
 
@@ -66,11 +65,9 @@ private:
     double Slack; // tolerance of the interval
   };
 
-  /// A face of the edge, through which the wavefront of the opposite corner may arrive.
-  struct Opposite
+  struct FaceOfEdge
   {
     FaceProfile Profile;
-    int Corner = 0;
     Point2 From; // ends of the edge in the frame of the face
     Point2 To;
   };
@@ -85,7 +82,7 @@ private:
   void FindWindowBreaks();
   double ExcessOfRising(double begin, double end, double x) const;
   bool FindPeak(double begin, double end, double& peak) const;
-  void SetUpOpposites();
+  void SetUpFaces();
   /// Difference between the distance at an abscissa and a level.
   struct Probe
   {
@@ -108,9 +105,7 @@ private:
   void FindSteepness();
   double AtBreak(std::size_t i);
   const BreakState& FindCrest(std::size_t i);
-  void SetUpModels();
-  double ModelAt(int end, double x) const;
-  double LeastOfModels(double x) const;
+  double LeastOfFaces(double x) const;
   void CrossBetweenBreaks(
     double level, std::size_t first, std::size_t last, std::vector<double>& crossings);
   void Cross(
@@ -121,14 +116,9 @@ private:
   double Length = 0.0;
   std::array<double, 2> Ends{ { 0.0, 0.0 } };
   std::vector<Piece> Pieces;
-  std::array<CornerModel, 2> Models;
-  std::array<CornerModel::Ray, 2> Rays{};        // rays of the models along the edge
-  std::array<double, 2> Missing{ { 0.0, 0.0 } }; // deficit of the model of an end at the other end
-  std::vector<Opposite> Opposites;
-  std::size_t NumberOfOpposites = 0; // further entries are kept to reuse their memory
-  bool HasLinearFace = false;        // true if a reached face has no models
-  bool IsLinear = false;             // true if neither end nor any face has a model
-  double Steepness = 1.0;            // Lipschitz constant of the models
+  std::vector<FaceOfEdge> Faces;
+  std::size_t NumberOfFaces = 0; // further entries are kept to reuse their memory
+  double Steepness = 1.0;        // Lipschitz constant of the models
   std::vector<double> Breaks;
   std::vector<BreakState> BreakStates;
 };

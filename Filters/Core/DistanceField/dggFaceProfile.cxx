@@ -263,20 +263,6 @@ double FaceProfile::DistanceToSource(int k, const Point2& p, int& nearest) const
   return least;
 }
 
-FaceProfile::LowerBound FaceProfile::GetLowerBound(const Point2& p) const
-{
-  LowerBound bound;
-  for (int k = 0; k < 3 && this->HasLowerBounds; ++k)
-  {
-    const double atCorner = this->LowerBounds[k] - Distance(p, this->Corners[k]);
-    if (atCorner > bound.Distance)
-    {
-      bound = { atCorner, k };
-    }
-  }
-  return bound;
-}
-
 bool FaceProfile::MayHaveSeveralSources() const
 {
   const std::array<Id, 3> corners = this->Field.Mesh->GetTriangle(this->Face);
@@ -287,9 +273,14 @@ bool FaceProfile::MayHaveSeveralSources() const
     std::any_of(this->Sources.begin(), this->Sources.end(), isOther);
 }
 
-double FaceProfile::GetLargestRaise(int k) const
+double FaceProfile::GetLargestRaise() const
 {
-  return std::max(LargestOf(this->Missing[k]), LargestOf(this->MissingOver[k]));
+  double raise = 0.0;
+  for (int k = 0; k < 3; ++k)
+  {
+    raise = std::max({ raise, LargestOf(this->Missing[k]), LargestOf(this->MissingOver[k]) });
+  }
+  return raise;
 }
 
 bool FaceProfile::MayHavePeak() const
@@ -450,28 +441,45 @@ FieldSample FaceProfile::SampleOf(
   return sample;
 }
 
-FieldSample FaceProfile::FromModels(const Point2& p) const
+FaceProfile::Wave FaceProfile::FindNearest(
+  const Point2& p, const std::array<double, 3>& barycentric) const
 {
-  const std::array<double, 3> b = this->BarycentricOf(p);
   Wave best;
   for (int k = 0; k < 3; ++k)
   {
-    const Wave wave = this->FromModel(k, p, b);
+    const Wave wave = this->FromModel(k, p, barycentric);
     if (wave.Distance < best.Distance)
     {
       best = wave;
     }
   }
-  if (best.Candidate == NoId)
+  double bound = best.Distance + this->Negligible; // not at corners, where the value is given
+  for (int k = 0; k < 3 && this->HasLowerBounds; ++k)
   {
-    return {};
+    const double atCorner = this->LowerBounds[k] - Distance(p, this->Corners[k]);
+    if (atCorner > bound)
+    {
+      bound = best.Distance = atCorner;
+      best.Candidate = LeastCandidate + k;
+    }
   }
-  const FieldSample sample = this->SampleOf(best, p, b);
-  const LowerBound bound = this->GetLowerBound(p);
-  return bound.Distance >
-      sample.Distance + this->Negligible // not at corners, where the value is given
-    ? this->FromLowerBound(bound.Corner, p)
-    : sample;
+  return best;
+}
+
+double FaceProfile::At(const Point2& p) const
+{
+  return this->HasModels ? this->FindNearest(p, this->BarycentricOf(p)).Distance
+                         : this->SampleAt(p).Distance;
+}
+
+FieldSample FaceProfile::FromModels(const Point2& p) const
+{
+  const std::array<double, 3> b = this->BarycentricOf(p);
+  const Wave nearest = this->FindNearest(p, b);
+  return nearest.Candidate == NoId ? FieldSample()
+    : nearest.Candidate >= LeastCandidate
+    ? this->FromLowerBound(nearest.Candidate - LeastCandidate, p)
+    : this->SampleOf(nearest, p, b);
 }
 
 FieldSample FaceProfile::FromLowerBound(int k, const Point2& p) const

@@ -38,30 +38,15 @@ public:
   std::array<double, 3> BarycentricOf(const Point2& p) const;
 
   /// Returns the distance at a point of the face.
-  double At(const Point2& p) const { return this->SampleAt(p).Distance; }
+  double At(const Point2& p) const;
   FieldSample SampleAt(const Point2& p) const;
   /// Returns the field of a single candidate of models, even if another candidate is nearer.
   FieldSample SampleOfCandidate(Id candidate, const Point2& p) const;
 
-  /// Returns true if the distance comes from models of the corners (IsModelled), or the distance
-  /// from a single model at a point (ModelAt).
-  /// @{
+  /// Returns true if the distance comes from models of the corners.
   bool IsModelled() const { return this->HasModels; }
-  double ModelAt(int k, const Point2& p) const
-  {
-    return this->FromModel(k, p, this->BarycentricOf(p)).Distance;
-  }
-  /// @}
   /// Returns the largest amount by which the model of a corner is raised at another corner.
-  double GetLargestRaise(int k) const;
-  /// Lower bound of the distance at a point, and the corner that implies the bound. The bound is
-  /// -Infinity if no model is raised, because no model is then below the bound.
-  struct LowerBound
-  {
-    double Distance = -Infinity;
-    int Corner = 0;
-  };
-  LowerBound GetLowerBound(const Point2& p) const;
+  double GetLargestRaise() const;
 
   /// Returns true if the face may contain a local maximum, because wavefronts arrive from all
   /// sides. The test is conservative: true if in doubt.
@@ -122,6 +107,7 @@ private:
   FieldSample FromCorner(int k, const Point2& p) const;
   FieldSample FromWindows(const Point2& p) const;
   Wave FromModel(int k, const Point2& p, const std::array<double, 3>& barycentric) const;
+  Wave FindNearest(const Point2& p, const std::array<double, 3>& barycentric) const;
   FieldSample SampleOf(const Wave& wave, const Point2& p, const std::array<double, 3>& b) const;
   FieldSample FromModels(const Point2& p) const;
   FieldSample FromLowerBound(int k, const Point2& p) const;
