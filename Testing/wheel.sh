@@ -25,14 +25,14 @@ source "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
 newest_tag=34 # glibc of the oldest systems that are supported
 declare -A packages=(
   [numpy]="numpy"
-  [newest]="vtk pyvista mypy scipy trimesh meshio open3d vedo nilearn nibabel"
+  [newest]="vtk pyvista mypy scipy trimesh meshio open3d vedo nilearn nibabel distributed zarr"
   [oldest]="vtk==9.3.1 scipy"
 )
 without_vtk="test_kernel test_without_vtk"
 functions="test_compat test_distance test_functions test_graph test_graph_copies test_meshes test_queries test_reading"
 declare -A tests=(
   [numpy]="$without_vtk"
-  [newest]="$without_vtk $functions test_mypy test_real_pyvista test_stubs"
+  [newest]="$without_vtk $functions test_distributed test_mypy test_real_pyvista test_stubs"
   [oldest]="$without_vtk $functions"
 )
 

@@ -142,6 +142,13 @@ class OnABumpySphere(support.Test):
                 self.assertEqual(single.dtype, np.float32)
                 np.testing.assert_array_equal(single, out.astype(np.float32))
                 del out
+            wrong = np.concatenate([self.points[rows], [[0.0, 0.0, 5.0]]])
+            self.refuse(
+                lambda columns: self.graph.matrix(wrong, columns, dtype=np.float32),
+                ((None,), "Row 40"),
+                ((columns,), "Row 40"),
+                error=vtkdgg.Error,
+            )
         read_only = np.zeros((40, 3))
         read_only.flags.writeable = False
         double = np.zeros((40, 3))

@@ -66,37 +66,25 @@ class Matrices(GraphData):
         ValueError, Error
             As for `distance`; an Error also when the matrix, or a block of it, would take more
             memory than `memory_limit`.
+
+        See Also
+        --------
+        vtkdgg.distributed.matrix : the same on a Dask cluster.
         """
-        rows = self._points(rows, "rows")
-        columns = None if columns is None else self._points(columns, "columns")
-        shape = len(rows), len(rows if columns is None else columns)
-        dtype = None if dtype is None else _floating_point(dtype)
-        if out is not None:
-            _check_out(out, shape, dtype)
-        dtype = np.dtype(np.float64 if dtype is None else dtype)
-        options = {
-            "unreached_value": unreached,
-            "projection_tolerance": projection_tolerance,
-        }
-        if out is None and dtype == np.float64:
-            return self._block(rows, columns, **options)
-        out = np.empty(shape, dtype) if out is None else out
-        step = max(1, _BLOCK // shape[1])
+        request = MatrixRequest(self, rows, columns, out, dtype, unreached, projection_tolerance)
+        if out is None and request.dtype == np.float64:
+            return self._call(
+                self._graph.matrix, request.rows, request.columns, **request.options
+            )
+        request.check_rows(self)
+        out = np.empty(request.shape, request.dtype) if out is None else out
         bar = Bar()
         try:
-            for first in range(0, len(rows), step):
-                last = min(first + step, len(rows))
-                part = functools.partial(Part, bar, first / len(rows), last / len(rows))
-                others = rows[first:] if columns is None else columns
-                block = self._block(rows[first:last], others, bar=part, **options)
-                if columns is not None:
-                    out[first:last] = block
-                    continue
-                square = block[:, : last - first]
-                np.minimum(square, square.T.copy(), out=square)
-                np.fill_diagonal(square, 0.0)
-                out[first:last, first:] = block
-                out[last:, first:last] = block[:, last - first :].T
+            for first, last in request.strips(max(1, _BLOCK // request.shape[1])):
+                done = first / request.shape[0], last / request.shape[0]
+                part = functools.partial(Part, bar, *done)
+                strip = request.find(self, first, last, bar=part)
+                request.store(out, first, strip)
         finally:
             bar.close()
         return out
@@ -192,11 +180,6 @@ class Matrices(GraphData):
         order = np.argsort(distances, kind="stable")
         return ids[order].astype(np.intp), distances[order]
 
-    def _block(self, rows, columns, **options):
-        """Returns the distances between two sets of points, or between all pairs of one set."""
-        columns = None if columns is None else columns.in_kernel()
-        return self._call(self._graph.matrix, rows.in_kernel(), columns, **options)
-
     def _rows(self, rows, radius, correction, tolerance, **options):
         """Returns offsets, columns and distances of compressed rows."""
         return self._call(
@@ -207,6 +190,66 @@ class Matrices(GraphData):
             projection_tolerance=tolerance,
             **options,
         )
+
+
+class MatrixRequest:
+    """A matrix of distances that is computed in strips: some rows, and all columns or, if it is
+    symmetric, those from the diagonal on."""
+
+    def __init__(self, graph, rows, columns, out, dtype, unreached, projection_tolerance):
+        rows = graph._points(rows, "rows")
+        columns = None if columns is None else graph._points(columns, "columns")
+        self.shape = len(rows), len(rows if columns is None else columns)
+        dtype = None if dtype is None else _floating_point(dtype)
+        if out is not None:
+            _check_out(out, self.shape, dtype)
+        self.dtype = np.dtype(np.float64 if dtype is None else dtype)
+        self.rows = rows.in_kernel()
+        self.columns = None if columns is None else columns.in_kernel()
+        self.options = {"unreached_value": unreached, "projection_tolerance": projection_tolerance}
+
+    def check_rows(self, graph):
+        """Raises an error if a row is not on the surface: strips would name the row wrongly."""
+        if isinstance(self.rows, dict):
+            tolerance = self.options["projection_tolerance"]
+            graph._call(
+                graph._graph.neighborhood,
+                self.rows,
+                maximum_distance=0.0,
+                projection_tolerance=tolerance,
+            )
+
+    def strips(self, height):
+        """Yields the first row of each strip and the row after its last one."""
+        for first in range(0, self.shape[0], height):
+            yield first, min(first + height, self.shape[0])
+
+    def find(self, graph, first, last, **options):
+        """Returns a strip."""
+        columns = _part(self.rows, first, None) if self.columns is None else self.columns
+        rows = _part(self.rows, first, last)
+        strip = graph._call(graph._graph.matrix, rows, columns, **self.options, **options)
+        if self.columns is None:
+            square = strip[:, : last - first]
+            np.minimum(square, square.T.copy(), out=square)
+            np.fill_diagonal(square, 0.0)
+        return strip
+
+    def store(self, out, first, strip):
+        """Writes a strip to the output."""
+        last = first + len(strip)
+        if self.columns is None:
+            out[first:last, first:] = strip
+            out[last:, first:last] = strip[:, last - first :].T
+        else:
+            out[first:last] = strip
+
+
+def _part(points, first, last):
+    """Returns some of the points that a function of the kernel takes."""
+    if isinstance(points, dict):
+        return {name: values[first:last] for name, values in points.items()}
+    return points[first:last]
 
 
 def _floating_point(dtype):
