@@ -33,7 +33,7 @@ constexpr double FirstShare = 0.5;
 constexpr double ExactShare = 0.5;
 /// Largest distance of segments from exact borders, in mean edges times the accuracy, and in mean
 /// edges.
-constexpr double ChordShare = 0.02;
+constexpr double ChordShare = 0.01;
 constexpr double LargestChord = 2.5e-4;
 
 /// Returns true if there are neither cells nor borders.
