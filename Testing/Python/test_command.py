@@ -234,6 +234,7 @@ class Command(support.Test):
             (f"loop {tube} --through 28 --through 31 --through 34 --rope", "lengths", [9.0], 1e-6),
             ("sample MESH --number 12", "samples", 12, 0),
             ("voronoi MESH --number 6 --iterations 5", "sites", 6, 0),
+            ("voronoi MESH --number 700 --in-faces", "sites", 700, 0),
             ("greens MESH --source 5 --source 7 --method Vertex", "largest", greens, 1e-9),
         ):
             with self.subTest(line):

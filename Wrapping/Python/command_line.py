@@ -193,6 +193,7 @@ def make_parser():
     which = command.add_mutually_exclusive_group()
     which.add_argument("--site", action="append", metavar=places.POINT, help="a site")
     which.add_argument("--number", type=int, help="number of sites, spread evenly (default: 20)")
+    command.add_argument("--in-faces", action="store_true", help="these inside triangles, too")
     command.add_argument(
         "--iterations",
         type=int,

@@ -405,7 +405,9 @@ def voronoi(options):
     if options.site:
         sites = several(options.site, contents, "--site")
     else:
-        sites = made.sample(20 if options.number is None else options.number).point_ids
+        number = 20 if options.number is None else options.number
+        samples = made.sample(number, in_faces=options.in_faces)
+        sites = samples.points if options.in_faces else samples.point_ids
     surface, _, polygons, moved = made._divide(sites, options.iterations, options.tolerance)
     cells = voronoi_of(surface, moved)
     radius = spread(cells.distances)["largest"]
