@@ -157,8 +157,8 @@ TEST(DistanceField, WavefrontsReachTheBoundaryOfLeaningFaces)
   leaning.Points = { 0, 0, 0, 1, 0, 0, 3, 1, 0, 4, 0, 0 };
   leaning.Triangles = { 0, 1, 2, 1, 3, 2 };
   const SurfaceMesh mesh = Build(leaning);
-  const std::array<double, 3> place{ { 2.0 / 3.0, 2.0 / 15.0, 0.2 } }; // (1.8, 0.2)
-  const ExactField field(mesh, { { SurfacePoint::InTriangle(mesh, 1, place), 0.0 } });
+  const std::array<double, 3> source{ { 2.0 / 3.0, 2.0 / 15.0, 0.2 } }; // (1.8, 0.2)
+  const ExactField field(mesh, { { SurfacePoint::InTriangle(mesh, 1, source), 0.0 } });
   EdgeProfile edge(field.Exact);
   edge.Enter(0);
   for (const double x : { 0.1, 0.3, 0.5, 0.7, 0.9 })

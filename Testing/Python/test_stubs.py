@@ -64,7 +64,8 @@ class Stubs(unittest.TestCase):
     def test_names_of_the_package(self):
         tree = parsed("__init__")
         exported = ast.literal_eval(tree.body[-1].value)
-        self.assertEqual(set(exported), {*vtkdgg.__all__, "compat", "explorer", "pictures"})
+        modules = "compat", "distributed", "explorer", "pictures"
+        self.assertEqual(set(exported), {*vtkdgg.__all__, *modules})
         imported = {a.name for n in tree.body if isinstance(n, ast.ImportFrom) for a in n.names}
         self.assertEqual(imported, set(exported))
 

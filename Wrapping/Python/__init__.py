@@ -17,6 +17,8 @@
     functions based on the Laplacian of a mesh,
 `show_progress`
     turns progress bars on or off,
+`vtkdgg.distributed`
+    matrices of distances on a Dask cluster,
 `vtkdgg.compat`
     functions and classes with the names and arguments of other packages, one submodule for each.
 
@@ -84,7 +86,7 @@ _WITHOUT_VTK = [
 def __getattr__(name):
     if name == "__all__":
         return _WITHOUT_VTK + _served()
-    if name in ("compat", "explorer", "pictures"):
+    if name in ("compat", "distributed", "explorer", "pictures"):
         return importlib.import_module(f".{name}", __name__)
     if name not in _OF_VTK:
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

@@ -338,7 +338,7 @@ def stub_of_package(path, classes):
     tree = parsed(path)
     lists = [n for n in tree.body if ast.unparse(n).startswith("_WITHOUT_VTK =")]
     names = ast.literal_eval(lists[0].value)
-    lines = ["from . import compat, explorer, pictures"]
+    lines = ["from . import compat, distributed, explorer, pictures"]
     for node in tree.body:
         if isinstance(node, ast.ImportFrom) and node.level:
             kept = [alias.name for alias in node.names if alias.name in names]
@@ -349,7 +349,7 @@ def stub_of_package(path, classes):
     for module in sorted(set(served.values())):
         kept = sorted(name for name in served if served[name] == module)
         lines.append(f"from .{module} import {', '.join(kept)}")
-    exported = ["compat", "explorer", "pictures", *names, *sorted(served)]
+    exported = ["compat", "distributed", "explorer", "pictures", *names, *sorted(served)]
     return "\n".join([*lines, "", "__version__: str", f"__all__ = {exported}", ""])
 
 

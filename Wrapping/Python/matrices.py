@@ -83,7 +83,7 @@ class Matrices(GraphData):
             for first, last in request.strips(max(1, _BLOCK // request.shape[1])):
                 done = first / request.shape[0], last / request.shape[0]
                 part = functools.partial(Part, bar, *done)
-                strip = request.find(self, first, last, bar=part)
+                strip = request.compute(self, first, last, bar=part)
                 request.store(out, first, strip)
         finally:
             bar.close()
@@ -203,6 +203,8 @@ class MatrixRequest:
         dtype = None if dtype is None else _floating_point(dtype)
         if out is not None:
             _check_out(out, self.shape, dtype)
+            given = getattr(out, "dtype", None)
+            dtype = given if isinstance(given, np.dtype) else dtype
         self.dtype = np.dtype(np.float64 if dtype is None else dtype)
         self.rows = rows.in_kernel()
         self.columns = None if columns is None else columns.in_kernel()
@@ -224,10 +226,10 @@ class MatrixRequest:
         for first in range(0, self.shape[0], height):
             yield first, min(first + height, self.shape[0])
 
-    def find(self, graph, first, last, **options):
-        """Returns a strip."""
-        columns = _part(self.rows, first, None) if self.columns is None else self.columns
-        rows = _part(self.rows, first, last)
+    def compute(self, graph, first, last, **options):
+        """Returns the strip of the rows from `first` to before `last`."""
+        columns = _slice(self.rows, first, None) if self.columns is None else self.columns
+        rows = _slice(self.rows, first, last)
         strip = graph._call(graph._graph.matrix, rows, columns, **self.options, **options)
         if self.columns is None:
             square = strip[:, : last - first]
@@ -245,7 +247,7 @@ class MatrixRequest:
             out[first:last] = strip
 
 
-def _part(points, first, last):
+def _slice(points, first, last):
     """Returns some of the points that a function of the kernel takes."""
     if isinstance(points, dict):
         return {name: values[first:last] for name, values in points.items()}

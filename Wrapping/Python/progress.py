@@ -56,6 +56,16 @@ class Bar:
             self._line.close()
 
 
+class Silence:
+    """No progress bar."""
+
+    def show(self, name, fraction):
+        """Does nothing."""
+
+    def close(self):
+        """Does nothing."""
+
+
 class Part:
     """An interval of the progress of one call, for one of its filters."""
 

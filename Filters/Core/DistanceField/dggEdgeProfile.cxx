@@ -353,8 +353,8 @@ double EdgeProfile::AtBreak(std::size_t i)
   return state.Distance;
 }
 
-/// Finds and returns the crest between a break and the next one, where the models of both ends meet
-/// and the distance rises from either side.
+/// Finds and returns the crest between a break and the next one, where two wavefronts meet and the
+/// distance rises from either side.
 const EdgeProfile::BreakState& EdgeProfile::FindCrest(std::size_t i)
 {
   BreakState& state = this->BreakStates[i];
@@ -403,7 +403,8 @@ double EdgeProfile::At(double x) const
   return this->LeastOfFaces(x);
 }
 
-/// Returns the smallest distance in all faces of the edge; linear without virtual sources.
+/// Returns the smallest distance in the reached faces of the edge; linear without virtual sources
+/// or reached faces.
 double EdgeProfile::LeastOfFaces(double x) const
 {
   const double t = x / this->Length;

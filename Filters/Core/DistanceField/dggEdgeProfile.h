@@ -65,6 +65,7 @@ private:
     double Slack; // tolerance of the interval
   };
 
+  /// A face through which wavefronts arrive at the edge.
   struct FaceOfEdge
   {
     FaceProfile Profile;
