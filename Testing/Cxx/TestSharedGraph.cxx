@@ -17,8 +17,8 @@ namespace
 /// Lower bound of the size of tables and landmarks, bytes per vertex.
 constexpr double BytesOfTables = 40.0;
 constexpr double BytesOfLandmarks = 68.0;
-/// Size of the tables that link points, bytes per vertex: at least 64 for each of six half-edges.
-constexpr double BytesOfBuilder = 384.0;
+/// Lower bound of the size of the table that links points, bytes per vertex.
+constexpr double BytesOfBuilder = 24.0;
 
 class SharedGraph : public ::testing::Test
 {

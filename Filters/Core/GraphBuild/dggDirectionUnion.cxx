@@ -9,18 +9,18 @@ namespace dgg
 void DirectionUnion::Unite(RowStore& rows, Id first, const ParallelFor& parallel)
 {
   const Offset base = rows.Begin(first);
-  std::vector<unsigned char> isDouble(static_cast<std::size_t>(rows.GetNumberOfEdges() - base), 0);
+  this->IsDouble.assign(static_cast<std::size_t>(rows.GetNumberOfEdges() - base), 0);
   // Threads only read rows in this loop, except for the reverse edges to the current rows.
   ForRange(parallel, rows.GetNumberOfRows() - first, RowsAtOnce, [&](Offset begin, Offset end) {
     const auto workspace = this->Workspaces.Borrow();
     for (Offset row = begin; row < end; row += RowsAtOnce)
     {
       const Offset last = std::min<Offset>(end, row + RowsAtOnce);
-      workspace->Unite(
-        rows, first + static_cast<Id>(row), first + static_cast<Id>(last), base, isDouble.data());
+      workspace->Unite(rows, first + static_cast<Id>(row), first + static_cast<Id>(last), base,
+        this->IsDouble.data());
     }
   });
-  rows.Remove(first, isDouble);
+  rows.Remove(first, this->IsDouble);
 }
 
 void DirectionUnion::Workspace::Unite(

@@ -52,6 +52,7 @@ private:
   static constexpr Id RowsAtOnce = 256;
 
   WorkspacePool<Workspace> Workspaces;
+  std::vector<unsigned char> IsDouble; ///< per edge of the new rows, 1 if to be removed
 };
 }
 

@@ -13,26 +13,41 @@ namespace
 {
 constexpr Offset RowGrain = 256;
 
-/// Calls `visit(slot of the first end, slot of the second end, index in the rows)` for every edge.
-/// The slots are the positions of the two directions in the graph before rows are sorted.
-template <typename Visitor>
-void ForEachEdge(const RowStore& rows, const std::vector<Id>& order, const Buffer<Offset>& offsets,
-  Visitor&& visit)
+/// Edges that are written between two releases of rows.
+constexpr Offset EdgesAtOnce = Offset(1) << 20;
+
+/// Visits the edges of rows from the last one on.
+class EdgeWriter
 {
-  std::vector<Offset> next(rows.GetNumberOfRows());
-  for (Id row = 0; row < rows.GetNumberOfRows(); ++row)
+public:
+  EdgeWriter(const RowStore& rows, const std::vector<Id>& order, const Buffer<Offset>& offsets)
+    : Rows(rows)
+    , Ends(order.size())
   {
-    next[row] = offsets[order[row]];
+    std::transform(
+      order.begin(), order.end(), this->Ends.begin(), [&](Id v) { return offsets[v + 1]; });
   }
-  for (Id row = 0; row < rows.GetNumberOfRows(); ++row)
+
+  /// Calls `write(row, slot of the row, slot of the target, index)` for each edge of rows
+  /// [begin, end). The slots are the positions of the two directions in the graph before rows are
+  /// sorted.
+  template <typename Write>
+  void Run(Id begin, Id end, Write&& write)
   {
-    for (Offset i = rows.Begin(row); i < rows.End(row); ++i)
+    for (Id row = end; row-- > begin;)
     {
-      const Offset first = next[row]++;
-      visit(first, next[rows.Target(i)]++, i);
+      for (Offset i = this->Rows.End(row); i-- > this->Rows.Begin(row);)
+      {
+        const Offset first = --this->Ends[row];
+        write(row, first, --this->Ends[this->Rows.Target(i)], i);
+      }
     }
   }
-}
+
+private:
+  const RowStore& Rows;
+  std::vector<Offset> Ends; // per row, where the edges begin that are written already
+};
 
 void CountEdges(const RowStore& rows, const std::vector<Id>& order, Buffer<Offset>& offsets)
 {
@@ -107,61 +122,48 @@ Status AssembleGraph(RowStore& rows, const std::vector<Id>& order, bool wide,
   graph.Offsets = Buffer<Offset>(n + 1);
   CountEdges(rows, order, graph.Offsets);
 
-  // Properties are copied one by one, so that the arrays of the rows can be released in two steps.
-  graph.Angles = Buffer<float>(edges);
-  graph.ArrivalAngles = Buffer<float>(edges);
-  ForRange(parallel, 2, 1, [&](Offset begin, Offset end) {
-    for (Offset task = begin; task < end; ++task)
-    {
-      float* values = task == 0 ? graph.Angles.Data() : graph.ArrivalAngles.Data();
-      ForEachEdge(rows, order, graph.Offsets, [&](Offset first, Offset second, Offset i) {
-        values[first] = task == 0 ? rows.Departure(i) : rows.Arrival(i);
-        values[second] = task == 0 ? rows.Arrival(i) : rows.Departure(i);
-      });
-    }
-  });
-  rows.FreeAngles();
-  if (isToStop(0.4))
-  {
-    return Status::Abort();
-  }
-
   graph.Targets = Buffer<Id>(edges);
   graph.Lengths = Buffer<float>(wide ? 0 : edges);
   graph.WideLengths = Buffer<double>(wide ? edges : 0);
-  ForRange(parallel, 2, 1, [&](Offset begin, Offset end) {
-    for (Offset task = begin; task < end; ++task)
-    {
+  graph.Angles = Buffer<float>(edges);
+  graph.ArrivalAngles = Buffer<float>(edges);
+  // Rows are released while the graph is written, so that both share their memory.
+  EdgeWriter ends(rows, order, graph.Offsets);
+  EdgeWriter angles(rows, order, graph.Offsets);
+  while (rows.GetNumberOfRows() > 0)
+  {
+    const Id end = rows.GetNumberOfRows();
+    const Id begin =
+      std::min(end - 1, rows.FindRow(std::max<Offset>(0, rows.GetNumberOfEdges() - EdgesAtOnce)));
+    ForRange(parallel, 2, 1, [&](Offset task, Offset last) {
       if (task == 0)
       {
-        Id row = 0;
-        ForEachEdge(rows, order, graph.Offsets, [&](Offset first, Offset second, Offset i) {
-          while (i >= rows.End(row))
-          {
-            ++row;
-          }
+        ends.Run(begin, end, [&](Id row, Offset first, Offset second, Offset i) {
           graph.Targets[first] = order[rows.Target(i)];
           graph.Targets[second] = order[row];
+          if (wide)
+          {
+            graph.WideLengths[first] = graph.WideLengths[second] = rows.Length(i);
+          }
+          else
+          {
+            graph.Lengths[first] = graph.Lengths[second] = static_cast<float>(rows.Length(i));
+          }
         });
       }
-      else if (wide)
+      if (last == 2)
       {
-        ForEachEdge(rows, order, graph.Offsets, [&](Offset first, Offset second, Offset i) {
-          graph.WideLengths[first] = graph.WideLengths[second] = rows.Length(i);
+        angles.Run(begin, end, [&](Id, Offset first, Offset second, Offset i) {
+          graph.Angles[first] = graph.ArrivalAngles[second] = rows.Departure(i);
+          graph.Angles[second] = graph.ArrivalAngles[first] = rows.Arrival(i);
         });
       }
-      else
-      {
-        ForEachEdge(rows, order, graph.Offsets, [&](Offset first, Offset second, Offset i) {
-          graph.Lengths[first] = graph.Lengths[second] = static_cast<float>(rows.Length(i));
-        });
-      }
+    });
+    rows.Truncate(begin);
+    if (isToStop(0.8 * (1.0 - static_cast<double>(begin) / static_cast<double>(n))))
+    {
+      return Status::Abort();
     }
-  });
-  rows.FreeTargetsAndLengths();
-  if (isToStop(0.8))
-  {
-    return Status::Abort();
   }
 
   ForRange(parallel, static_cast<Offset>(n), RowGrain, [&](Offset begin, Offset end) {

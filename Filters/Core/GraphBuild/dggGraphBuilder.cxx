@@ -3,6 +3,7 @@
 #include "dggGraphBuilder.h"
 
 #include "dggBlockLoop.h"
+#include "dggCrossingBlocks.h"
 #include "dggDirectionUnion.h"
 #include "dggGraphAssembly.h"
 #include "dggGraphPruning.h"
@@ -18,6 +19,8 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <functional>
+#include <optional>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -32,23 +35,23 @@ constexpr Id PatchSize = 256;
 /// Rows per task.
 constexpr Id BlockSize = 16;
 /// Rows are built in waves, because the edges of a wave are temporarily stored twice. The first
-/// wave measures the number of edges per row.
+/// wave measures the number of edges per row; later waves have about the given number of edges.
 constexpr Id RowsOfFirstWave = 256;
-/// Maximum number of edges of a later wave: at least the first constant, or this fraction of all
-/// edges.
-constexpr double EdgesOfWave = 1 << 18;
-constexpr double LargestShareOfWave = 0.125;
+constexpr double EdgesOfWave = 1 << 19;
+/// Number of blocks of crossings from which on blocks behind the rows are released.
+constexpr std::size_t MostBlocks = 2048;
 /// Rows built for an estimate.
 constexpr Id SampleSize = 128;
 /// Peak memory during assembly, relative to the memory of the graph; measured, with a margin.
-constexpr double PeakOfAssembly = 1.35;
+constexpr double PeakOfAssembly = 1.1;
 /// Capacity of the arrays of rows, relative to their contents.
 constexpr double GrowthOfRows = 1.5;
 /// Memory of a thread in bytes, per vertex and per window of a source.
 constexpr double BytesPerVertex = 48.0;
 constexpr double BytesPerWindow = 512.0;
-/// Memory of the tables of the mesh in bytes, per face.
-constexpr double BytesPerFace = 3.0 * (sizeof(FaceCrossing) + sizeof(double)) + 20.0;
+/// Memory of the table of the mesh in bytes, per vertex and per face.
+constexpr double BytesOfTablePerVertex = 24.0;
+constexpr double BytesOfTablePerFace = 4.0;
 
 /// Maximum work of a graph, in units of GraphWindowTracer::GetWork(), per face at an accuracy of 1
 /// %: about twenty times the work of a mesh of well-shaped triangles. A single vertex may take a
@@ -140,12 +143,6 @@ private:
   double SumOfSquares = 0.0;
 };
 
-/// Returns the number of edges that a wave may have if the graph has `all` edges.
-double MostEdgesOfWave(double all)
-{
-  return std::max(EdgesOfWave, LargestShareOfWave * all);
-}
-
 /// Rows built by one thread.
 struct RowBlock
 {
@@ -192,6 +189,7 @@ public:
     : Mesh(mesh)
     , GraphWindowLimit(windowLimit)
     , Table(mesh, ComputePatchOrder(mesh, PatchSize))
+    , Crossings(this->Table)
   {
   }
 
@@ -242,12 +240,13 @@ private:
   bool NeedsWide(const GraphOptions& options) const;
   /// Builds rows [begin, end).
   template <typename Tracer>
-  void FillBlock(Tracer& tracer, Id begin, Id end, std::size_t mostWork,
+  void FillBlock(Tracer& tracer, CrossingBlocks& crossings, Id begin, Id end, std::size_t mostWork,
     std::atomic<std::size_t>& work, RowBlock& block) const;
 
   const SurfaceMesh& Mesh;
   std::size_t GraphWindowLimit;
   UnfoldingTable Table;
+  mutable CrossingBlocks Crossings; // of links and samples, and of all rows of small meshes
   mutable WorkspacePool<GraphWindowTracer<ProgressRule>> Linkers;
 };
 
@@ -404,12 +403,14 @@ Status GraphBuilder::Implementation::Estimate(
   // edges of a wave in blocks of up to twice their size; then rows are converted to the graph. In
   // the indirect construction all candidates are stored before any candidate is pruned.
   const double out = n * degrees.GetLargestMean();
-  const double wave = std::min(out, MostEdgesOfWave(out)) * 2.0 * sizeof(RowEdge);
+  const double wave = std::min(out, EdgesOfWave) * 2.0 * sizeof(RowEdge);
   const double graph = unite(degrees.GetLargestMean()) * bytes + 8.0 * (n + 1.0);
   const bool isIndirect = options.Construction == GraphConstruction::Indirect;
   const double finding = 0.5 * GrowthOfRows * (isIndirect ? 2.0 * out * bytes : graph) + wave;
-  const double tables =
-    BytesPerFace * this->Mesh.GetNumberOfFaces() * (this->Table.NeedsMirrors() ? 2.0 : 1.0);
+  const double tables = BytesOfTablePerVertex * n +
+    BytesOfTablePerFace * this->Mesh.GetNumberOfFaces() +
+    sizeof(CrossingBlock) *
+      static_cast<double>(std::min(this->Table.GetNumberOfBlocks(), MostBlocks));
   estimate.Peak = std::max(PeakOfAssembly * graph, finding) + tables +
     std::max(1, options.NumberOfThreads) * (BytesPerVertex * n + BytesPerWindow * windows);
   return Status::Success();
@@ -423,7 +424,7 @@ Status GraphBuilder::Implementation::SampleRows(
   // The sample is every k-th vertex of an order in which neighbors are close together.
   const Id count = std::min(n, SampleSize);
   const WindowLimits limits = this->LimitWindows(options);
-  GraphWindowTracer<Rule> tracer(this->Table, rule, limits);
+  GraphWindowTracer<Rule> tracer(this->Crossings, rule, limits);
   std::size_t work = 0;
   // A few vertices may require most of the total work.
   const double mostWork = static_cast<double>(ShareOfVertex * limits.Work) *
@@ -455,6 +456,12 @@ Status GraphBuilder::Implementation::BuildRows(const Rule& rule, const GraphOpti
   const WindowLimits limits = this->LimitWindows(options);
   const std::size_t mostWork = ShareOfVertex * limits.Work;
   std::atomic<std::size_t> work{ 0 };
+  std::optional<CrossingBlocks> own; // of a large mesh
+  if (this->Table.GetNumberOfBlocks() > MostBlocks)
+  {
+    own.emplace(this->Table);
+  }
+  CrossingBlocks& crossings = own ? *own : this->Crossings;
   WorkspacePool<GraphWindowTracer<Rule>> tracers;
   std::vector<RowBlock> blocks;
   DirectionUnion directions;
@@ -467,11 +474,11 @@ Status GraphBuilder::Implementation::BuildRows(const Rule& rule, const GraphOpti
     DGG_RETURN_IF_ERROR(ForBlocks(
       last - first, BlockSize, options.Parallel,
       ProgressPart(options.Progress, static_cast<double>(first) / n, static_cast<double>(last) / n),
-      [&] { return tracers.Borrow(this->Table, rule, limits); },
+      [&] { return tracers.Borrow(std::ref(crossings), rule, limits); },
       [&](auto& tracer, Offset b, Offset begin, Offset end) {
         const std::size_t before = tracer->GetNumberOfWindows();
-        this->FillBlock(*tracer, first + static_cast<Id>(begin), first + static_cast<Id>(end),
-          mostWork, work, blocks[b]);
+        this->FillBlock(*tracer, crossings, first + static_cast<Id>(begin),
+          first + static_cast<Id>(end), mostWork, work, blocks[b]);
         windows += tracer->GetNumberOfWindows() - before;
       }));
     // The work never decreases, so that the outcome does not depend on the number of threads.
@@ -493,15 +500,19 @@ Status GraphBuilder::Implementation::BuildRows(const Rule& rule, const GraphOpti
       directions.Unite(rows, first, options.Parallel);
     }
     const double degree = std::max(1.0, static_cast<double>(statistics.OutEdges) / last);
-    rowsOfWave = static_cast<Id>(MostEdgesOfWave(degree * n) / degree);
+    rowsOfWave = static_cast<Id>(EdgesOfWave / degree) + 1;
+    if (own)
+    {
+      own->Trim(MostBlocks);
+    }
   }
   statistics.Windows = windows;
   return Status::Success();
 }
 
 template <typename Tracer>
-void GraphBuilder::Implementation::FillBlock(Tracer& tracer, Id begin, Id end, std::size_t mostWork,
-  std::atomic<std::size_t>& work, RowBlock& block) const
+void GraphBuilder::Implementation::FillBlock(Tracer& tracer, CrossingBlocks& crossings, Id begin,
+  Id end, std::size_t mostWork, std::atomic<std::size_t>& work, RowBlock& block) const
 {
   block.LimitExceeded = NoId;
   block.Sizes.clear();
@@ -519,8 +530,8 @@ void GraphBuilder::Implementation::FillBlock(Tracer& tracer, Id begin, Id end, s
     for (const FoundEdge& edge : edges)
     {
       block.Edges.push_back(
-        { edge.Target, edge.Length, this->Table.StoredAngle(row, edge.DepartureAngle(this->Table)),
-          this->Table.StoredAngle(edge.Target, edge.ArrivalAngle(this->Table)) });
+        { edge.Target, edge.Length, this->Table.StoredAngle(row, edge.DepartureAngle(this->Mesh)),
+          this->Table.StoredAngle(edge.Target, edge.ArrivalAngle(crossings)) });
     }
   }
 }
@@ -595,7 +606,8 @@ Status GraphBuilder::Implementation::Link(const SurfacePoint& point, const Graph
     [](const GraphWindowTarget& a, const GraphWindowTarget& b) { return a.Face < b.Face; });
 
   const ProgressRule rule(options.Accuracy);
-  const auto tracer = this->Linkers.Borrow(this->Table, rule, this->LimitWindows(options));
+  const auto tracer =
+    this->Linkers.Borrow(std::ref(this->Crossings), rule, this->LimitWindows(options));
   tracer->SetRule(rule);
   const std::vector<FoundEdge>& edges =
     tracer->TracePoint(positions, GraphWindowTargets(this->Mesh, windowTargets, direct));
@@ -607,7 +619,7 @@ Status GraphBuilder::Implementation::Link(const SurfacePoint& point, const Graph
   for (const FoundEdge& edge : edges)
   {
     links.push_back({ this->Table.OldVertex(edge.Target), edge.Length,
-      this->Table.StoredAngle(edge.Target, edge.ArrivalAngle(this->Table)),
+      this->Table.StoredAngle(edge.Target, edge.ArrivalAngle(this->Crossings)),
       DepartureAngle(this->Mesh, point, edge) });
   }
   std::sort(links.begin(), links.end(),

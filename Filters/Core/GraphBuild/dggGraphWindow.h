@@ -5,8 +5,9 @@
 #ifndef dggGraphWindow_h
 #define dggGraphWindow_h
 
-#include "dggTypes.h"     // for Id
-#include "dggUnfolding.h" // for Point2
+#include "dggTypes.h"          // for Id
+#include "dggUnfolding.h"      // for Point2
+#include "dggUnfoldingTable.h" // for FaceCrossing
 
 #include <cmath> // for std::abs
 
@@ -49,9 +50,9 @@ struct GraphWindow
   /// A relay farther out on the same side that covers the relay on the ray, and is better at every
   /// point that the relay on the ray does not occlude; otherwise NoId.
   Id Outer[2] = { NoId, NoId };
-  Id Entry = NoId;  ///< table entry of the face behind the edge
-  Id Frame = NoId;  ///< half-edge at the source along the x axis of the plane
-  Id Number = NoId; ///< id in GraphWindowMemory, if in use
+  const FaceCrossing* Face = nullptr; ///< crossing of the face behind the edge
+  Id Frame = NoId;                    ///< half-edge at the source along the x axis of the plane
+  Id Number = NoId;                   ///< id in GraphWindowMemory, if in use
 };
 
 /// Returns the intersection of the ray through a point with the line of the window's edge.

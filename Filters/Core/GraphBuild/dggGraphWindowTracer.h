@@ -6,13 +6,14 @@
 #ifndef dggGraphWindowTracer_h
 #define dggGraphWindowTracer_h
 
+#include "dggCrossingBlocks.h"     // for the faces
 #include "dggGraphRules.h"         // for relays beside a window
 #include "dggGraphWindow.h"        // for GraphWindow
 #include "dggGraphWindowMemory.h"  // for the careful mode
 #include "dggGraphWindowTargets.h" // for points that windows meet
 #include "dggHeap.h"               // for windows by distance
+#include "dggPrefetch.h"           // for Prefetch
 #include "dggSurfacePoint.h"       // for sources inside faces
-#include "dggUnfoldingTable.h"     // for the mesh
 #include "dggVertexStates.h"       // for labels and costs
 
 #include <algorithm> // for std::min
@@ -49,12 +50,14 @@ template <typename Rule>
 class GraphWindowTracer
 {
 public:
-  GraphWindowTracer(const UnfoldingTable& table, const Rule& rule, const WindowLimits& limits)
-    : Table(table)
-    , Mesh(table.GetMesh())
+  /// Stores a reference to the crossings.
+  GraphWindowTracer(CrossingBlocks& crossings, const Rule& rule, const WindowLimits& limits)
+    : Crossings(crossings)
+    , Table(crossings.GetTable())
+    , Mesh(this->Table.GetMesh())
     , GraphRule(rule)
     , Limits(limits)
-    , Vertices(table.GetNumberOfVertices())
+    , Vertices(this->Table.GetNumberOfVertices())
     , Memory(Vertices)
   {
   }
@@ -177,7 +180,7 @@ private:
   {
     const Id across = SurfaceMesh::Next(g);
     const Id back = SurfaceMesh::Previous(g);
-    const FaceCrossing& face = this->Table[this->Table.EntryOf(g)];
+    const FaceCrossing& face = this->Crossings[this->Table.EntryOf(g)];
     const Point2 a = face.Apex;
     const Point2 b{ this->Mesh.Length(g), 0.0 };
     GraphWindow window;
@@ -190,7 +193,7 @@ private:
       this->ReachCorner({ NoId, this->Mesh.Length(g), b, g, fromB, across, false });
     window.Relays[0] =
       this->ReachCorner({ NoId, this->Mesh.Length(back), a, g, { -a.X, -a.Y }, back, false });
-    this->Enter(this->Table.CodeBehind(across), window);
+    this->Enter(this->Crossings.CodeBehind(across), window);
   }
 
   /// Starts from a source inside a face. Reaches the three corners and the three edges, except
@@ -221,7 +224,7 @@ private:
       window.Relays[1] = corner;
       window.Relays[0] =
         this->AddRelay(this->GraphRule.MakeRelay(end, length, this->GraphRule.CostOfEdge(length)));
-      this->Enter(this->Table.CodeBehind(h), window);
+      this->Enter(this->Crossings.CodeBehind(h), window);
     }
     this->Targets->ReachFrom(f, barycentric);
   }
@@ -274,7 +277,7 @@ private:
     const Relay& left = this->Relays[window.Relays[0]];
     const Relay& right = this->Relays[window.Relays[1]];
     this->Table.ForEach(code, [&](Id entry) {
-      const FaceCrossing& face = this->Table[entry];
+      const FaceCrossing& face = this->Crossings[entry];
       const Id h = face.GetHalfEdge();
       GraphWindow copy = window;
       copy.Number = this->Memory.Admit(
@@ -290,14 +293,14 @@ private:
 
   void Push(Id entry, GraphWindow& window)
   {
-    window.Entry = entry;
+    window.Face = &this->Crossings[entry];
     if (Rule::ByDistance || this->IsCareful)
     {
       this->Order.Push(
         DistanceOfEdge(this->Relays[window.Relays[0]], this->Relays[window.Relays[1]], window),
         static_cast<Id>(this->Queue.size()));
     }
-    this->Table.Prefetch(entry);
+    Prefetch(window.Face);
     this->Queue.push_back(window);
   }
 
@@ -419,7 +422,7 @@ private:
     bool isStarted = !Rule::StartsLate;
     for (;;)
     {
-      const FaceCrossing& face = this->Table[window.Entry];
+      const FaceCrossing& face = *window.Face;
       ++this->NumberOfWindows;
       if (this->HasTooManyWindows() && !this->EnableBoundPropagation())
       {
@@ -459,7 +462,7 @@ private:
         this->Enter(code, window);
         return;
       }
-      window.Entry = code;
+      window.Face = &this->Crossings[code];
     }
   }
 
@@ -669,6 +672,7 @@ private:
     }
   }
 
+  CrossingBlocks& Crossings;
   const UnfoldingTable& Table;
   const SurfaceMesh& Mesh;
   Rule GraphRule;

@@ -115,16 +115,9 @@ void RowStore::Remove(Id first, const std::vector<unsigned char>& flags)
   }
 }
 
-void RowStore::FreeAngles()
+void RowStore::Truncate(Id first)
 {
-  this->Departures.Clear();
-  this->Arrivals.Clear();
-}
-
-void RowStore::FreeTargetsAndLengths()
-{
-  this->Targets.Clear();
-  this->Lengths.Clear();
-  this->WideLengths.Clear();
+  this->Begins.resize(static_cast<std::size_t>(first) + 1);
+  this->ShrinkToFit();
 }
 }

@@ -9,7 +9,8 @@
 #include "dggCoreExport.h" // for DGG_CORE_EXPORT
 #include "dggTypes.h"      // for Id, Offset
 
-#include <vector> // for where rows begin
+#include <algorithm> // for std::lower_bound
+#include <vector>    // for where rows begin
 
 namespace dgg
 {
@@ -25,8 +26,7 @@ struct RowEdge
 /// Returns the smallest float that is not below a value.
 DGG_CORE_EXPORT float RoundedUp(double value);
 
-/// The edges of consecutive rows, in flat growing arrays. Each property has its own array, so that
-/// arrays can be released one by one.
+/// The edges of consecutive rows, in flat growing arrays.
 class RowStore
 {
 public:
@@ -41,6 +41,13 @@ public:
   Offset GetNumberOfEdges() const { return this->Begins.back(); }
   Offset Begin(Id row) const { return this->Begins[row]; }
   Offset End(Id row) const { return this->Begins[row + 1]; }
+
+  /// Returns the first row that begins at the edge or behind it.
+  Id FindRow(Offset edge) const
+  {
+    return static_cast<Id>(
+      std::lower_bound(this->Begins.begin(), this->Begins.end(), edge) - this->Begins.begin());
+  }
 
   /// Reserves the offsets of `count` rows in one step, since growth may double the memory.
   void ReserveRows(Id count) { this->Begins.reserve(static_cast<std::size_t>(count) + 1); }
@@ -65,8 +72,8 @@ public:
 
   /// Releases the memory of removed edges.
   void ShrinkToFit();
-  void FreeAngles();
-  void FreeTargetsAndLengths();
+  /// Removes the rows from `first` on and releases their memory.
+  void Truncate(Id first);
 
 private:
   void Reserve(Offset size);

@@ -5,8 +5,8 @@
 #ifndef dggVertexStates_h
 #define dggVertexStates_h
 
+#include "dggCrossingBlocks.h" // for polar angles
 #include "dggUnfolding.h"      // for Point2
-#include "dggUnfoldingTable.h" // for polar angles
 
 #include <cmath>  // for std::atan2
 #include <vector> // for the states
@@ -26,16 +26,16 @@ struct FoundEdge
   bool IsMirrored = false; ///< true if the face of arrival is unfolded as its mirror image
 
   /// Returns the polar angle at the source, towards the target, radians.
-  double DepartureAngle(const UnfoldingTable& table) const
+  double DepartureAngle(const SurfaceMesh& mesh) const
   {
-    return table.PolarAngle(this->Frame) + std::atan2(this->Departure.Y, this->Departure.X);
+    return mesh.PolarAngle(this->Frame) + std::atan2(this->Departure.Y, this->Departure.X);
   }
   /// Returns the polar angle at the target, towards the source, radians.
-  double ArrivalAngle(const UnfoldingTable& table) const
+  double ArrivalAngle(CrossingBlocks& crossings) const
   {
     const Point2 back{ -this->Departure.X, -this->Departure.Y };
     const double turn = std::atan2(Cross(this->Reference, back), Dot(this->Reference, back));
-    return table.PolarAngle(this->Arrival) + (this->IsMirrored ? -turn : turn);
+    return crossings.PolarAngle(this->Arrival) + (this->IsMirrored ? -turn : turn);
   }
 };
 

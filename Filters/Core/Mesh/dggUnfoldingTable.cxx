@@ -27,22 +27,9 @@ UnfoldingTable::UnfoldingTable(const SurfaceMesh& mesh, std::vector<Id> order)
     this->Rank[this->Order[i]] = static_cast<Id>(i);
   }
   this->OrderFaces();
-  const bool mirrors = this->Count.NeedsMirrors;
-  this->Mirrors = mirrors ? mesh.GetNumberOfHalfEdges() : 0;
-  this->Crossings.resize(static_cast<std::size_t>(mesh.GetNumberOfHalfEdges()) * (mirrors ? 2 : 1));
-  const std::vector<Id> places = this->ListBranches();
-  for (Id h = 0; h < mesh.GetNumberOfHalfEdges(); ++h)
-  {
-    if (!mesh.IsDropped(SurfaceMesh::Face(h)))
-    {
-      this->Fill(h, false, places);
-      if (mirrors)
-      {
-        this->Fill(h, true, places);
-      }
-    }
-  }
-  this->FillAngles();
+  this->Mirrors = this->Count.NeedsMirrors ? mesh.GetNumberOfHalfEdges() : 0;
+  this->ListBranches();
+  this->MeasureRanges();
 }
 
 UnfoldingTable::Extent UnfoldingTable::Measure() const
@@ -85,13 +72,8 @@ Status UnfoldingTable::CheckSize(const Extent& count)
     .Fix(count.NeedsMirrors ? "Make it an oriented manifold, or simplify it" : "Simplify it");
 }
 
-void UnfoldingTable::FillAngles()
+void UnfoldingTable::MeasureRanges()
 {
-  this->PolarAngles.resize(this->Mesh.GetNumberOfHalfEdges());
-  for (Id h = 0; h < this->Mesh.GetNumberOfHalfEdges(); ++h)
-  {
-    this->PolarAngles[this->EntryOf(h)] = this->Mesh.PolarAngle(h);
-  }
   this->Ranges.resize(this->Order.size());
   for (std::size_t i = 0; i < this->Order.size(); ++i)
   {
@@ -110,64 +92,104 @@ void UnfoldingTable::FillAngles()
 /// Orders the faces by their first vertex.
 void UnfoldingTable::OrderFaces()
 {
-  const Id m = this->Mesh.GetNumberOfFaces();
-  this->FaceRank.assign(m, NoId);
+  this->FaceRank.assign(this->Mesh.GetNumberOfFaces(), NoId);
   Id next = 0;
-  for (const Id v : this->Order)
+  for (Id v = 0; v < this->GetNumberOfVertices(); ++v)
   {
-    for (const Id* g = this->Mesh.FanBegin(v); g != this->Mesh.FanEnd(v); ++g)
+    const Id old = this->Order[v];
+    for (const Id* g = this->Mesh.FanBegin(old); g != this->Mesh.FanEnd(old); ++g)
     {
       Id& rank = this->FaceRank[SurfaceMesh::Face(*g)];
       if (rank == NoId)
       {
         rank = next++;
+        if (static_cast<Offset>(this->FirstVertices.size()) * CrossingBlock::Size <
+          3 * Offset(next))
+        {
+          this->FirstVertices.push_back(v);
+        }
       }
     }
   }
-  for (Id& rank : this->FaceRank) // dropped faces
+}
+
+void UnfoldingTable::Fill(std::size_t index, CrossingBlock& block) const
+{
+  const Offset first = static_cast<Offset>(index) * CrossingBlock::Size;
+  this->FillEntries(first, false, block);
+  if (this->Mirrors > 0)
   {
-    if (rank == NoId)
+    this->FillEntries(first - this->Mirrors, true, block);
+  }
+}
+
+/// Fills the entries of a block that are mirrored or not; `first` is the number of such entries
+/// before the block. Visits faces as OrderFaces() does, to find them by their rank.
+void UnfoldingTable::FillEntries(Offset first, bool mirrored, CrossingBlock& block) const
+{
+  const Offset end = first + CrossingBlock::Size;
+  const auto part = static_cast<std::size_t>(std::max<Offset>(0, first) / CrossingBlock::Size);
+  Offset rank = static_cast<Offset>(part) * CrossingBlock::Size / 3;
+  for (std::size_t v = part < this->FirstVertices.size() ? this->FirstVertices[part]
+                                                         : this->Order.size();
+       v < this->Order.size() && 3 * rank < end; ++v)
+  {
+    const Id old = this->Order[v];
+    for (const Id* g = this->Mesh.FanBegin(old); g != this->Mesh.FanEnd(old); ++g)
     {
-      rank = next++;
+      const Id face = SurfaceMesh::Face(*g);
+      if (this->FaceRank[face] != rank)
+      {
+        continue;
+      }
+      for (Id k = 0; k < 3; ++k)
+      {
+        const Offset i = 3 * rank + k - first;
+        if (i >= 0 && i < CrossingBlock::Size)
+        {
+          block.Crossings[i] = this->MakeCrossing(3 * face + k, mirrored);
+          block.PolarAngles[i] = this->Mesh.PolarAngle(3 * face + k);
+        }
+      }
+      ++rank;
     }
   }
 }
 
-void UnfoldingTable::Fill(Id h, bool mirrored, const std::vector<Id>& places)
+FaceCrossing UnfoldingTable::MakeCrossing(Id h, bool mirrored) const
 {
   const EnteredFace entered(this->Mesh, h, mirrored);
   const FaceUnfolding& face = entered.Plane;
-  FaceCrossing& crossing = this->Crossings[this->Entry(h, mirrored)];
+  FaceCrossing crossing;
   crossing.Apex = face.GetApex();
   crossing.Direction[FaceCrossing::Left] = { face.GetLeftCosine(), face.GetLeftSine() };
   crossing.Direction[FaceCrossing::Right] = { face.GetRightCosine(), -face.GetRightSine() };
-  crossing.Behind[FaceCrossing::Left] = this->FindCodeBehind(entered.LeftEdge, mirrored, places);
-  crossing.Behind[FaceCrossing::Right] = this->FindCodeBehind(entered.RightEdge, mirrored, places);
+  crossing.Behind[FaceCrossing::Left] = this->FindCodeBehind(entered.LeftEdge, mirrored);
+  crossing.Behind[FaceCrossing::Right] = this->FindCodeBehind(entered.RightEdge, mirrored);
   crossing.ApexVertex = this->Rank[this->Mesh.Apex(h)];
   crossing.HalfEdge = mirrored ? ~h : h;
+  return crossing;
 }
 
-/// Lists the faces around every non-manifold edge. Returns the position of each half-edge of such
-/// an edge in the first of the two lists of the edge; empty if all edges are manifold.
-std::vector<Id> UnfoldingTable::ListBranches()
+/// Lists the faces around every non-manifold edge.
+void UnfoldingTable::ListBranches()
 {
-  std::vector<Id> places;
   if (this->Count.BranchHalfEdges == 0)
   {
-    return places;
+    return;
   }
-  places.assign(this->Mesh.GetNumberOfHalfEdges(), NoId);
+  this->Places.assign(this->Mesh.GetNumberOfHalfEdges(), NoId);
   this->Branches.reserve(
     static_cast<std::size_t>(2 * (this->Count.BranchHalfEdges + this->Count.BranchEdges)));
   for (Id first = 0; first < this->Mesh.GetNumberOfHalfEdges(); ++first)
   {
-    if (!this->Mesh.IsNonManifold(first) || places[first] != NoId)
+    if (!this->Mesh.IsNonManifold(first) || this->Places[first] != NoId)
     {
       continue;
     }
     const std::size_t begin = this->Branches.size();
     ForEachHalfEdge(this->Mesh, first, [&](Id h) {
-      places[h] = static_cast<Id>(this->Branches.size());
+      this->Places[h] = static_cast<Id>(this->Branches.size());
       const bool ascends = this->Mesh.Origin(h) <= this->Mesh.Destination(h);
       this->Branches.push_back(this->Entry(h, !ascends));
       this->Branches.push_back(this->Entry(h, ascends));
@@ -175,13 +197,12 @@ std::vector<Id> UnfoldingTable::ListBranches()
     const Id back = -static_cast<Id>(this->Branches.size() - begin);
     this->Branches.insert(this->Branches.end(), 2, back);
   }
-  return places;
 }
 
 /// Returns the code of the faces behind `exit`. The edge is left from its face or, if `mirrored`,
 /// from the mirror image of the face. A neighbor of opposite orientation is unfolded as its mirror
 /// image if this face is not.
-Id UnfoldingTable::FindCodeBehind(Id exit, bool mirrored, const std::vector<Id>& places) const
+Id UnfoldingTable::FindCodeBehind(Id exit, bool mirrored) const
 {
   const Id twin = this->Mesh.Twin(exit);
   if (twin == NoId)
@@ -197,6 +218,6 @@ Id UnfoldingTable::FindCodeBehind(Id exit, bool mirrored, const std::vector<Id>&
   // unmirrored and descending half-edges mirrored: this is the first list. If the window is
   // mirrored or the half-edge ascending, the roles are swapped.
   const bool descends = this->Mesh.Destination(exit) <= this->Mesh.Origin(exit);
-  return FirstBranch - (places[exit] + (mirrored == descends ? 1 : 0));
+  return FirstBranch - (this->Places[exit] + (mirrored == descends ? 1 : 0));
 }
 }

@@ -1,18 +1,19 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Precomputed data for unfolding faces into the plane of a distant source, one cache line per
-/// half-edge. Internal.
+/// Data for unfolding faces into the plane of a distant source, one cache line per half-edge.
+/// Internal.
 #ifndef dggUnfoldingTable_h
 #define dggUnfoldingTable_h
 
-#include "dggPrefetch.h"    // for Prefetch
 #include "dggSurfaceMesh.h" // for SurfaceMesh
 #include "dggUnfolding.h"   // for Point2
 
 #include <algorithm> // for std::min
+#include <array>     // for the entries
 #include <cstddef>   // for std::size_t
-#include <vector>    // for the entries
+#include <cstdint>   // for the size of blocks
+#include <vector>    // for the maps
 
 namespace dgg
 {
@@ -43,9 +44,20 @@ struct alignas(64) FaceCrossing
   Id GetHalfEdge() const { return this->IsMirrored() ? ~this->HalfEdge : this->HalfEdge; }
 };
 
-/// The crossings of all faces in a cache-friendly order, with vertices renumbered accordingly. At
-/// edges with inconsistent orientation or more than two faces, the face behind the edge is crossed
-/// as its mirror image: the plane is never flipped.
+/// Consecutive crossings of an UnfoldingTable.
+struct CrossingBlock
+{
+  static constexpr Id Size =
+    1024; ///< a power of two, so that the block of an entry is quickly found
+
+  std::array<FaceCrossing, Size> Crossings;
+  std::array<double, Size> PolarAngles; ///< SurfaceMesh::PolarAngle() of the half-edges
+};
+
+/// Numbers the crossings of all faces in a cache-friendly order, with vertices renumbered
+/// accordingly, and computes them block by block. At edges with inconsistent orientation or more
+/// than two faces, the face behind the edge is crossed as its mirror image: the plane is never
+/// flipped.
 class UnfoldingTable
 {
 public:
@@ -73,15 +85,14 @@ public:
   Id OldVertex(Id v) const { return this->Order[v]; }
   Id NewVertex(Id v) const { return this->Rank[v]; }
 
-  const FaceCrossing& operator[](Id entry) const { return this->Crossings[entry]; }
-  /// Prefetches a crossing. Does nothing if the code does not denote a single crossing.
-  void Prefetch(Id code) const
+  std::size_t GetNumberOfBlocks() const
   {
-    if (code >= 0)
-    {
-      dgg::Prefetch(&this->Crossings[code]);
-    }
+    return static_cast<std::size_t>(this->CountEntries() + CrossingBlock::Size - 1) /
+      CrossingBlock::Size;
   }
+  /// Computes the crossings of a block. Entries of faces that are dropped are not set.
+  void Fill(std::size_t index, CrossingBlock& block) const;
+
   /// Returns the crossing of the face of half-edge h, entered through h.
   Id EntryOf(Id h) const { return 3 * this->FaceRank[SurfaceMesh::Face(h)] + h % 3; }
 
@@ -112,15 +123,6 @@ public:
       }
     }
   }
-  /// Returns the code behind half-edge `exit`, through which its own face is left.
-  Id CodeBehind(Id exit) const
-  {
-    return this->Crossings[this->EntryOf(SurfaceMesh::Next(exit))].Behind[FaceCrossing::Left];
-  }
-
-  /// Returns SurfaceMesh::PolarAngle() of a half-edge of the mesh, stored in the order of the
-  /// table.
-  double PolarAngle(Id h) const { return this->PolarAngles[this->EntryOf(h)]; }
   /// Returns the polar angle at a vertex of the table as stored in a graph: in [0, total angle), as
   /// a float below the end of the range.
   float StoredAngle(Id v, double angle) const
@@ -133,7 +135,7 @@ public:
 
   /// Returns true if edges with more than two faces exist.
   bool HasBranches() const { return !this->Branches.empty(); }
-  /// Returns true if mirrored crossings are stored as well, because orientations are inconsistent.
+  /// Returns true if mirrored crossings exist as well, because orientations are inconsistent.
   bool NeedsMirrors() const { return this->Count.NeedsMirrors; }
   bool HasDegenerateFaces() const { return this->Mesh.GetNumberOfDegenerateFaces() > 0; }
 
@@ -147,11 +149,13 @@ private:
   };
 
   Extent Measure() const;
+  Offset CountEntries() const { return (this->Count.NeedsMirrors ? 2 : 1) * this->Count.HalfEdges; }
   void OrderFaces();
-  void FillAngles();
-  void Fill(Id h, bool mirrored, const std::vector<Id>& places);
-  std::vector<Id> ListBranches();
-  Id FindCodeBehind(Id exit, bool mirrored, const std::vector<Id>& places) const;
+  void MeasureRanges();
+  void ListBranches();
+  void FillEntries(Offset first, bool mirrored, CrossingBlock& block) const;
+  FaceCrossing MakeCrossing(Id h, bool mirrored) const;
+  Id FindCodeBehind(Id exit, bool mirrored) const;
   Id Entry(Id h, bool mirrored) const { return this->EntryOf(h) + (mirrored ? this->Mirrors : 0); }
 
   const SurfaceMesh& Mesh;
@@ -159,14 +163,18 @@ private:
   std::vector<Id> Order;    // old id of each new vertex
   std::vector<Id> Rank;     // new id of each old vertex
   std::vector<Id> FaceRank; // new id of each old face
-  std::vector<FaceCrossing> Crossings;
-  std::vector<double> PolarAngles; // per entry
-  std::vector<AngleRange> Ranges;  // per new vertex
+  /// Per block of entries that are not mirrored, the first new vertex at the face of its first
+  /// entry.
+  std::vector<Id> FirstVertices;
+  std::vector<AngleRange> Ranges; // per new vertex
   /// Per non-manifold edge, two lists of the crossings that are entered through the edge, with one
   /// entry per half-edge. The lists are mirror images of each other and interleaved. A negative
   /// entry at the end of a list is the offset back to the beginning of the list. A code contains
   /// the position of its own half-edge.
   std::vector<Id> Branches;
+  /// Position of each half-edge of a non-manifold edge in the first list of its edge; empty if all
+  /// edges are manifold.
+  std::vector<Id> Places;
   Id Mirrors = 0; // first mirrored crossing; 0 if no crossing is mirrored
 };
 }

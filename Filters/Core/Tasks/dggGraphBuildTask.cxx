@@ -77,7 +77,7 @@ Status BuildGraph(const TaskContext& context, const GraphBuilder& builder, Graph
 
 std::size_t EstimateBuilder(const PreparedSurface& surface)
 {
-  // The table of face crossings, twice if faces cannot be oriented consistently.
+  // All face crossings, twice if faces cannot be oriented consistently. Few links need fewer.
   const MeshReport& report = surface.GetReport();
   const std::size_t perHalfEdge = sizeof(FaceCrossing) + sizeof(double);
   const std::size_t copies = report.InconsistentEdges + report.NonManifoldEdges > 0 ? 2 : 1;

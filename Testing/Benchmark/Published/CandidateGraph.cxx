@@ -3,6 +3,7 @@
 #include "CandidateGraph.h"
 
 #include "BenchmarkTools.h"
+#include "dggCrossingBlocks.h"
 #include "dggDirectionUnion.h"
 #include "dggGraphAssembly.h"
 #include "dggGraphBuilder.h"
@@ -11,7 +12,6 @@
 #include "dggGraphWindowTracer.h"
 #include "dggRowStore.h"
 #include "dggSurfaceOrder.h"
-#include "dggUnfoldingTable.h"
 
 #include <algorithm>
 #include <limits>
@@ -24,9 +24,10 @@ constexpr dgg::Id PatchSize = 256;
 /// windows.
 dgg::Status FindCandidates(const dgg::UnfoldingTable& table, double accuracy, dgg::RowStore& rows)
 {
+  dgg::CrossingBlocks crossings(table);
   constexpr std::size_t unlimited = std::numeric_limits<std::size_t>::max() / 4; // avoids overflow
   dgg::GraphWindowTracer<dgg::CandidateRule> tracer(
-    table, dgg::CandidateRule(accuracy), { dgg::DefaultWindowLimit, unlimited, unlimited });
+    crossings, dgg::CandidateRule(accuracy), { dgg::DefaultWindowLimit, unlimited, unlimited });
   std::vector<dgg::RowEdge> row;
   for (dgg::Id source = 0; source < table.GetNumberOfVertices(); ++source)
   {
@@ -34,8 +35,8 @@ dgg::Status FindCandidates(const dgg::UnfoldingTable& table, double accuracy, dg
     for (const dgg::FoundEdge& edge : tracer.TraceVertex(source))
     {
       row.push_back(
-        { edge.Target, edge.Length, table.StoredAngle(source, edge.DepartureAngle(table)),
-          table.StoredAngle(edge.Target, edge.ArrivalAngle(table)) });
+        { edge.Target, edge.Length, table.StoredAngle(source, edge.DepartureAngle(table.GetMesh())),
+          table.StoredAngle(edge.Target, edge.ArrivalAngle(crossings)) });
     }
     if (tracer.ExceededLimit())
     {
