@@ -15,7 +15,7 @@ using namespace dggtest;
 namespace
 {
 /// Lower bound of the size of tables and landmarks, bytes per vertex.
-constexpr double BytesOfTables = 40.0;
+constexpr double BytesOfTables = 8.0;
 constexpr double BytesOfLandmarks = 68.0;
 /// Lower bound of the size of the table that links points, bytes per vertex.
 constexpr double BytesOfBuilder = 24.0;

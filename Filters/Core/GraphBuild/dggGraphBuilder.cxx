@@ -557,14 +557,9 @@ Status GraphBuilder::Implementation::Build(
       ProgressPart(options.Progress, shares.Rows, shares.Rows + shares.Pruning)));
     DirectionUnion().Unite(rows, 0, options.Parallel);
   }
-  std::vector<Id> order(static_cast<std::size_t>(n));
-  for (Id row = 0; row < n; ++row)
-  {
-    order[row] = this->Table.OldVertex(row);
-  }
   const double done = shares.Rows + shares.Pruning;
-  DGG_RETURN_IF_ERROR(AssembleGraph(
-    rows, order, wide, options.Parallel, ProgressPart(options.Progress, done, 1.0), graph));
+  DGG_RETURN_IF_ERROR(AssembleGraph(rows, this->Table.GetOrder(), wide, options.Parallel,
+    ProgressPart(options.Progress, done, 1.0), graph));
   graph.Info.Kind = GraphKind::Mesh;
   graph.Info.Construction = options.Construction;
   const bool isByNumber = options.Construction == GraphConstruction::SaddleVertexGraph;

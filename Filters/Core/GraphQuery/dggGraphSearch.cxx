@@ -212,26 +212,42 @@ public:
   {
     if (this->Mesh)
     {
-      this->Fans = std::make_unique<GraphFans>(this->Graph, *this->Mesh);
       this->Correction = std::make_unique<LabelCorrection>(this->Graph, *this->Mesh);
-      if (TurnLimits::AreKnown(graph))
-      {
-        this->Limits = std::make_unique<TurnLimits>(this->Graph, *this->Mesh);
-      }
     }
   }
 
   GraphView Graph;
   const SurfaceMesh* Mesh; ///< null where there are no angles
   double BucketWidth;
-  std::unique_ptr<GraphFans> Fans;             ///< null where there are no angles
   std::unique_ptr<LabelCorrection> Correction; ///< null where there are no angles
-  std::unique_ptr<TurnLimits> Limits;          ///< null if unknown
+  mutable std::once_flag FansOnce;
+  mutable std::unique_ptr<GraphFans> Fans; ///< see GetFans()
+  mutable std::once_flag LimitsOnce;
+  mutable std::unique_ptr<TurnLimits> Limits; ///< see GetLimits()
   mutable WorkspacePool<SearchWorkspace> Workspaces;
   mutable WorkspacePool<ManyWorkspace> ManyWorkspaces;
   mutable WorkspacePool<PointToPoint> PointWorkspaces;
   mutable std::mutex MarksMutex;
   mutable std::weak_ptr<const Landmarks> Marks; ///< landmarks in use by any copy
+
+  /// Returns the fans, made at the first call; null where there are no angles.
+  const GraphFans* GetFans() const
+  {
+    std::call_once(this->FansOnce, [this] {
+      this->Fans = this->Mesh ? std::make_unique<GraphFans>(this->Graph, *this->Mesh) : nullptr;
+    });
+    return this->Fans.get();
+  }
+  /// Returns the limits of turns, made at the first call; null if unknown.
+  const TurnLimits* GetLimits() const
+  {
+    std::call_once(this->LimitsOnce, [this] {
+      this->Limits = this->Mesh && TurnLimits::AreKnown(this->Graph)
+        ? std::make_unique<TurnLimits>(this->Graph, *this->Mesh)
+        : nullptr;
+    });
+    return this->Limits.get();
+  }
 
   bool FindDistances(const std::vector<GraphSeed>& seeds, const SearchOptions& options,
     SearchWorkspace& workspace, SearchLabels& labels, SearchEffort& effort) const
@@ -241,7 +257,7 @@ public:
       return RunDijkstra(this->Graph, seeds, options.Progress, workspace.Heap, labels, effort);
     }
     const bool overFans = options.Method == SearchMethod::Certified && this->HasLongRows();
-    const GraphFans* fans = overFans ? this->Fans.get() : nullptr;
+    const GraphFans* fans = overFans ? this->GetFans() : nullptr;
     return RunBucketSearch(this->Graph, fans, seeds, this->BucketWidth, options.Progress,
       workspace.Queue, labels, effort);
   }
@@ -305,7 +321,7 @@ public:
     const std::vector<std::size_t>& group, const ManyOptions& options,
     const std::function<bool()>& shouldContinue, const FieldConsumer& consume) const
   {
-    if (group.size() >= SmallestGroup && this->Fans && !options.Correct)
+    if (group.size() >= SmallestGroup && this->Mesh && !options.Correct)
     {
       const auto workspace = this->ManyWorkspaces.Borrow(this->Graph, this->BucketWidth);
       ManySources::Sources members;
@@ -385,7 +401,7 @@ public:
       options.MaximumDistance);
     labels.Targets = GetTargets(options);
     labels.Start(this->Graph.NumberOfVertices, middle);
-    RunAlongFans(this->Graph, *this->Fans, middle, this->BucketWidth, workspace->Queue, labels,
+    RunAlongFans(this->Graph, *this->GetFans(), middle, this->BucketWidth, workspace->Queue, labels,
       order.Vertices);
     const double start = NearestOf(middle).Distance;
     double farthest = start;
@@ -445,8 +461,8 @@ Status GraphSearch::Between(const std::vector<GraphSeed>& from, const std::vecto
   {
     DGG_RETURN_IF_ERROR(CheckSeeds(*seeds, n));
   }
-  const PathGuides guides{ internals.Fans.get(), internals.Limits.get(), this->Marks.get(),
-    positions, internals.BucketWidth };
+  const PathGuides guides{ internals.GetFans(), internals.GetLimits(), this->Marks.get(), positions,
+    internals.BucketWidth };
   internals.PointWorkspaces.Borrow(n)->Run(internals.Graph, guides, from, to, path);
   return Status::Success();
 }

@@ -81,6 +81,8 @@ public:
 
   const SurfaceMesh& GetMesh() const { return this->Mesh; }
   Id GetNumberOfVertices() const { return static_cast<Id>(this->Order.size()); }
+  /// Returns the old ids of the vertices of the table.
+  const std::vector<Id>& GetOrder() const { return this->Order; }
   /// Returns the old id of a vertex of the table, or the new id of a vertex of the mesh.
   Id OldVertex(Id v) const { return this->Order[v]; }
   Id NewVertex(Id v) const { return this->Rank[v]; }

@@ -146,6 +146,12 @@ Status PreparedSurface::Build(const SurfaceArrays& input)
   }
   this->NumberOfOrderedFaces = static_cast<std::size_t>(
     std::is_sorted_until(this->Cells.begin(), this->Cells.end()) - this->Cells.begin());
+  this->FirstCell = this->Cells.empty() ? 0 : this->Cells.front();
+  if (std::adjacent_find(this->Cells.begin(), this->Cells.end(),
+        [](Offset a, Offset b) { return b != a + 1; }) == this->Cells.end())
+  {
+    this->Cells = {};
+  }
   const auto numberOfTriangles = static_cast<Offset>(triangles.size() / 3);
   DGG_RETURN_IF_ERROR(SurfaceMesh::FromPointsWithoutAngles(
     points, n, triangles.data(), numberOfTriangles, this->Mesh));
@@ -395,6 +401,13 @@ const SurfaceMesh& PreparedSurface::GetMesh() const
 //------------------------------------------------------------------------------
 std::vector<Id> PreparedSurface::GetFaces(Offset cell) const
 {
+  if (this->Cells.empty())
+  {
+    const Offset face = cell - this->FirstCell;
+    return face >= 0 && face < this->Mesh.GetNumberOfFaces()
+      ? std::vector<Id>{ static_cast<Id>(face) }
+      : std::vector<Id>();
+  }
   std::vector<Id> faces;
   const auto end = this->Cells.begin() + static_cast<std::ptrdiff_t>(this->NumberOfOrderedFaces);
   const auto range = std::equal_range(this->Cells.begin(), end, cell);

@@ -116,7 +116,10 @@ public:
     return this->Vertices.empty() ? static_cast<Id>(point) : this->Vertices[point];
   }
   /// Returns the cell of the input that contains a face of the mesh.
-  Offset GetCell(Id face) const { return this->Cells[face]; }
+  Offset GetCell(Id face) const
+  {
+    return this->Cells.empty() ? this->FirstCell + face : this->Cells[face];
+  }
   /// Returns the faces in a cell of the input; none for an excluded cell.
   std::vector<Id> GetFaces(Offset cell) const;
 
@@ -164,7 +167,8 @@ private:
   mutable SurfaceMesh Mesh;
   Signature MeshSignature{};
   std::vector<Id> Vertices;             // per point; empty unless coincident points are merged
-  std::vector<Offset> Cells;            // per face
+  std::vector<Offset> Cells;            // per face; empty if they are consecutive
+  Offset FirstCell = 0;                 // cell of face 0
   std::size_t NumberOfOrderedFaces = 0; // before the pieces of split faces
   Offset NumberOfDroppedCells = 0;
   CapSplitting Caps;       // excluded triangles without area

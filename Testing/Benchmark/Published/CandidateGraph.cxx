@@ -100,12 +100,7 @@ dgg::Status BuildFromCandidates(const dgg::SurfaceMesh& mesh, double accuracy, P
   }
   statistics.PruningSeconds = CPUSeconds() - start;
   dgg::DirectionUnion().Unite(rows, 0, {});
-  std::vector<dgg::Id> order(static_cast<std::size_t>(n));
-  for (dgg::Id row = 0; row < n; ++row)
-  {
-    order[row] = table.OldVertex(row);
-  }
-  DGG_RETURN_IF_ERROR(dgg::AssembleGraph(rows, order, wide, {}, {}, graph));
+  DGG_RETURN_IF_ERROR(dgg::AssembleGraph(rows, table.GetOrder(), wide, {}, {}, graph));
   graph.Info.Construction = dgg::GraphConstruction::Indirect;
   graph.Info.Accuracy = accuracy;
   return dgg::Status::Success();
