@@ -13,8 +13,10 @@ namespace
 {
 constexpr Offset RowGrain = 256;
 
-/// Edges that are written between two releases of rows.
-constexpr Offset EdgesAtOnce = Offset(1) << 20;
+/// Edges that are written between two releases of rows: at least the first number, or this
+/// fraction.
+constexpr Offset FewestEdgesAtOnce = Offset(1) << 16;
+constexpr Offset ShareAtOnce = 16; // inverse
 
 /// Visits the edges of rows from the last one on.
 class EdgeWriter
@@ -48,6 +50,28 @@ private:
   const RowStore& Rows;
   std::vector<Offset> Ends; // per row, where the edges begin that are written already
 };
+
+/// Runs two writers over all edges, simultaneously if possible. Calls `release(row)` when the edges
+/// from this row on are written.
+template <typename First, typename Second, typename Release>
+void WriteEdges(const RowStore& rows, const std::vector<Id>& order, const Buffer<Offset>& offsets,
+  const ParallelFor& parallel, const First& first, const Second& second, const Release& release)
+{
+  EdgeWriter writers[] = { { rows, order, offsets }, { rows, order, offsets } };
+  const Offset atOnce = std::max(FewestEdgesAtOnce, rows.GetNumberOfEdges() / ShareAtOnce);
+  for (Id end = rows.GetNumberOfRows(); end > 0;)
+  {
+    const Id begin = std::min(end - 1, rows.FindRow(std::max<Offset>(0, rows.Begin(end) - atOnce)));
+    ForRange(parallel, 2, 1, [&](Offset from, Offset to) {
+      for (Offset task = from; task < to; ++task)
+      {
+        task == 0 ? writers[0].Run(begin, end, first) : writers[1].Run(begin, end, second);
+      }
+    });
+    release(begin);
+    end = begin;
+  }
+}
 
 void CountEdges(const RowStore& rows, const std::vector<Id>& order, Buffer<Offset>& offsets)
 {
@@ -122,48 +146,49 @@ Status AssembleGraph(RowStore& rows, const std::vector<Id>& order, bool wide,
   graph.Offsets = Buffer<Offset>(n + 1);
   CountEdges(rows, order, graph.Offsets);
 
+  // Rows are released while the graph is written, so that both share their memory.
+  rows.ShrinkToFit();
+  graph.Angles = Buffer<float>(edges);
+  graph.ArrivalAngles = Buffer<float>(edges);
+  WriteEdges(
+    rows, order, graph.Offsets, parallel,
+    [&](Id, Offset first, Offset second, Offset i) {
+      graph.Angles[first] = rows.Departure(i);
+      graph.Angles[second] = rows.Arrival(i);
+    },
+    [&](Id, Offset first, Offset second, Offset i) {
+      graph.ArrivalAngles[first] = rows.Arrival(i);
+      graph.ArrivalAngles[second] = rows.Departure(i);
+    },
+    [&](Id row) { rows.TruncateAngles(row); });
+  if (isToStop(0.4))
+  {
+    return Status::Abort();
+  }
+
   graph.Targets = Buffer<Id>(edges);
   graph.Lengths = Buffer<float>(wide ? 0 : edges);
   graph.WideLengths = Buffer<double>(wide ? edges : 0);
-  graph.Angles = Buffer<float>(edges);
-  graph.ArrivalAngles = Buffer<float>(edges);
-  // Rows are released while the graph is written, so that both share their memory.
-  EdgeWriter ends(rows, order, graph.Offsets);
-  EdgeWriter angles(rows, order, graph.Offsets);
-  while (rows.GetNumberOfRows() > 0)
+  WriteEdges(
+    rows, order, graph.Offsets, parallel,
+    [&](Id row, Offset first, Offset second, Offset i) {
+      graph.Targets[first] = order[rows.Target(i)];
+      graph.Targets[second] = order[row];
+    },
+    [&](Id, Offset first, Offset second, Offset i) {
+      if (wide)
+      {
+        graph.WideLengths[first] = graph.WideLengths[second] = rows.Length(i);
+      }
+      else
+      {
+        graph.Lengths[first] = graph.Lengths[second] = static_cast<float>(rows.Length(i));
+      }
+    },
+    [&](Id row) { rows.Truncate(row); });
+  if (isToStop(0.8))
   {
-    const Id end = rows.GetNumberOfRows();
-    const Id begin =
-      std::min(end - 1, rows.FindRow(std::max<Offset>(0, rows.GetNumberOfEdges() - EdgesAtOnce)));
-    ForRange(parallel, 2, 1, [&](Offset task, Offset last) {
-      if (task == 0)
-      {
-        ends.Run(begin, end, [&](Id row, Offset first, Offset second, Offset i) {
-          graph.Targets[first] = order[rows.Target(i)];
-          graph.Targets[second] = order[row];
-          if (wide)
-          {
-            graph.WideLengths[first] = graph.WideLengths[second] = rows.Length(i);
-          }
-          else
-          {
-            graph.Lengths[first] = graph.Lengths[second] = static_cast<float>(rows.Length(i));
-          }
-        });
-      }
-      if (last == 2)
-      {
-        angles.Run(begin, end, [&](Id, Offset first, Offset second, Offset i) {
-          graph.Angles[first] = graph.ArrivalAngles[second] = rows.Departure(i);
-          graph.Angles[second] = graph.ArrivalAngles[first] = rows.Arrival(i);
-        });
-      }
-    });
-    rows.Truncate(begin);
-    if (isToStop(0.8 * (1.0 - static_cast<double>(begin) / static_cast<double>(n))))
-    {
-      return Status::Abort();
-    }
+    return Status::Abort();
   }
 
   ForRange(parallel, static_cast<Offset>(n), RowGrain, [&](Offset begin, Offset end) {

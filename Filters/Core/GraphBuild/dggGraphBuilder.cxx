@@ -43,7 +43,7 @@ constexpr std::size_t MostBlocks = 2048;
 /// Rows built for an estimate.
 constexpr Id SampleSize = 128;
 /// Peak memory during assembly, relative to the memory of the graph; measured, with a margin.
-constexpr double PeakOfAssembly = 1.1;
+constexpr double PeakOfAssembly = 1.3;
 /// Capacity of the arrays of rows, relative to their contents.
 constexpr double GrowthOfRows = 1.5;
 /// Memory of a thread in bytes, per vertex and per window of a source.

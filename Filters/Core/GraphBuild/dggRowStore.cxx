@@ -115,9 +115,18 @@ void RowStore::Remove(Id first, const std::vector<unsigned char>& flags)
   }
 }
 
+void RowStore::TruncateAngles(Id first)
+{
+  const auto size = static_cast<std::size_t>(this->Begins[first]);
+  this->Departures.Resize(size);
+  this->Arrivals.Resize(size);
+}
+
 void RowStore::Truncate(Id first)
 {
+  const auto size = static_cast<std::size_t>(this->Begins[first]);
   this->Begins.resize(static_cast<std::size_t>(first) + 1);
-  this->ShrinkToFit();
+  this->Targets.Resize(size);
+  this->IsWide ? this->WideLengths.Resize(size) : this->Lengths.Resize(size);
 }
 }

@@ -26,7 +26,8 @@ struct RowEdge
 /// Returns the smallest float that is not below a value.
 DGG_CORE_EXPORT float RoundedUp(double value);
 
-/// The edges of consecutive rows, in flat growing arrays.
+/// The edges of consecutive rows, in flat growing arrays. Each property has its own array, so that
+/// arrays can be released one by one.
 class RowStore
 {
 public:
@@ -72,8 +73,12 @@ public:
 
   /// Releases the memory of removed edges.
   void ShrinkToFit();
-  /// Removes the rows from `first` on and releases their memory.
+  ///@{
+  /// Removes the angles of the rows from `first` on, or these rows, and releases their memory. No
+  /// row may be added later.
+  void TruncateAngles(Id first);
   void Truncate(Id first);
+  ///@}
 
 private:
   void Reserve(Offset size);
