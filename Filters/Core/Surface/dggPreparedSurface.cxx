@@ -151,6 +151,10 @@ Status PreparedSurface::Build(const SurfaceArrays& input)
         [](Offset a, Offset b) { return b != a + 1; }) == this->Cells.end())
   {
     this->Cells = {};
+    this->HasInputCells = this->Vertices.empty() && this->Caps.NumberOfCaps == 0 &&
+      input.Strips.NumberOfCells == 0 &&
+      input.Polygons.NumberOfIds == static_cast<Offset>(triangles.size()) &&
+      input.Polygons.NumberOfCells == static_cast<Offset>(triangles.size() / 3);
   }
   const auto numberOfTriangles = static_cast<Offset>(triangles.size() / 3);
   DGG_RETURN_IF_ERROR(SurfaceMesh::FromPointsWithoutAngles(

@@ -120,6 +120,9 @@ public:
   {
     return this->Cells.empty() ? this->FirstCell + face : this->Cells[face];
   }
+  /// Returns true if the faces are the cells of the input, with the same point ids. A face may be
+  /// flipped.
+  bool HasCellsOfInput() const { return this->HasInputCells; }
   /// Returns the faces in a cell of the input; none for an excluded cell.
   std::vector<Id> GetFaces(Offset cell) const;
 
@@ -169,6 +172,7 @@ private:
   std::vector<Id> Vertices;             // per point; empty unless coincident points are merged
   std::vector<Offset> Cells;            // per face; empty if they are consecutive
   Offset FirstCell = 0;                 // cell of face 0
+  bool HasInputCells = false;           // see HasCellsOfInput()
   std::size_t NumberOfOrderedFaces = 0; // before the pieces of split faces
   Offset NumberOfDroppedCells = 0;
   CapSplitting Caps;       // excluded triangles without area

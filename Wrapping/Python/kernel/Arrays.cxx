@@ -172,10 +172,36 @@ Cells::Cells(const py::handle& object, const char* name)
     Refuse(name, "the shape (m, k) or a pair of offsets and point ids", Describe(ids));
   }
   this->Ids.assign(ids.data(), ids.data() + ids.size());
-  const py::ssize_t rows = ids.size() > 0 ? ids.shape(0) : 0;
-  for (py::ssize_t i = 0; i <= rows; ++i)
+  if (ids.size() > 0)
   {
-    this->Offsets.push_back(rows > 0 ? i * ids.shape(1) : 0);
+    this->SetOffsets(ids.shape(0), ids.shape(1));
+  }
+}
+
+//------------------------------------------------------------------------------
+Cells::Cells(const dgg::SurfaceMesh& mesh)
+  : Ids(static_cast<std::size_t>(mesh.GetNumberOfHalfEdges()))
+{
+  this->SetOffsets(mesh.GetNumberOfFaces(), 3);
+  for (dgg::Id f = 0; f < mesh.GetNumberOfFaces(); ++f)
+  {
+    const auto corners = mesh.GetTriangle(f);
+    dgg::Offset* const ids = this->Ids.data() + 3 * static_cast<std::size_t>(f);
+    std::copy(corners.begin(), corners.end(), ids);
+    if (mesh.IsFlipped(f))
+    {
+      std::swap(ids[1], ids[2]);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void Cells::SetOffsets(dgg::Offset count, dgg::Offset size)
+{
+  this->Offsets.resize(static_cast<std::size_t>(count) + 1);
+  for (std::size_t i = 0; i < this->Offsets.size(); ++i)
+  {
+    this->Offsets[i] = static_cast<dgg::Offset>(i) * size;
   }
 }
 

@@ -54,10 +54,14 @@ class Cells
 public:
   Cells() = default;
   Cells(const py::handle& object, const char* name);
+  /// Constructs the triangles of a mesh, with the corners of the input.
+  explicit Cells(const dgg::SurfaceMesh& mesh);
 
   dgg::CellArrays Get() const;
 
 private:
+  void SetOffsets(dgg::Offset count, dgg::Offset size);
+
   std::vector<dgg::Offset> Offsets;
   std::vector<dgg::Offset> Ids;
 };

@@ -194,6 +194,24 @@ Surface::Surface(const py::handle& points, const py::handle& cells, const py::kw
     return dgg::PreparedSurface::Make(
       input, domain, dgg::PreparedSurface::ComputeFingerprint(input, domain), this->Prepared);
   });
+  if (this->Prepared->HasCellsOfInput())
+  {
+    this->Polygons = Cells();
+    this->Input.Polygons = {};
+  }
+}
+
+//------------------------------------------------------------------------------
+const dgg::SurfaceArrays& Surface::GetCells() const
+{
+  std::call_once(this->PolygonsOnce, [this] {
+    if (this->Prepared->HasCellsOfInput())
+    {
+      this->Polygons = Cells(this->Prepared->GetMeshWithoutAngles());
+      this->Input.Polygons = this->Polygons.Get();
+    }
+  });
+  return this->Input;
 }
 
 //------------------------------------------------------------------------------

@@ -30,7 +30,7 @@ public:
 
   const dgg::PreparedSurface& Get() const { return *this->Prepared; }
   /// Returns the cells, without the points.
-  const dgg::SurfaceArrays& GetCells() const { return this->Input; }
+  const dgg::SurfaceArrays& GetCells() const;
   dgg::Offset GetNumberOfPoints() const { return this->Input.NumberOfPoints; }
 
   /// Returns the pool of the sessions of one kind. May be called by any thread.
@@ -51,9 +51,11 @@ public:
   void Release();
 
 private:
-  Cells Polygons;
+  /// Cells of the input. A surface of triangles restores its polygons from the mesh on demand.
+  mutable Cells Polygons;
   Cells Strips;
-  dgg::SurfaceArrays Input;
+  mutable dgg::SurfaceArrays Input;
+  mutable std::once_flag PolygonsOnce;
   dgg::PreparedSurface::Pointer Prepared;
   mutable std::mutex Mutex;
   mutable std::unordered_map<std::type_index, std::unique_ptr<AnySessionPool>> Pools;
