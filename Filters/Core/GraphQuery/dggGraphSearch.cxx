@@ -10,6 +10,7 @@
 #include "dggLandmarks.h"
 #include "dggManySources.h"
 #include "dggPointToPoint.h"
+#include "dggPrefetch.h"
 #include "dggProgressPart.h"
 #include "dggSearchLabels.h"
 #include "dggSourceGroups.h"
@@ -20,6 +21,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <cstdlib>
 #include <mutex>
 #include <string>
 
@@ -84,6 +86,9 @@ constexpr std::size_t BytesOfTables = 40;
 constexpr std::size_t BytesOfSearch = 84;
 constexpr std::size_t BytesOfLandmarks = Landmarks::Count * sizeof(std::int16_t) + sizeof(Id);
 
+/// Number of vertices by which data of scattered vertices is prefetched.
+constexpr std::size_t TreeLookahead = 12;
+
 /// Removes labels beyond the limit, which a search for targets leaves behind.
 void CutAtLimit(SearchLabels& labels)
 {
@@ -107,6 +112,21 @@ void ResetTree(std::size_t n, bool withTree, bool withEstimates, SearchResult& r
   reset(withEstimates, result.Virtual, VirtualSource());
 }
 
+/// Returns true if vertices that were reached one after the other mostly have ids that are far
+/// apart, as in a random order.
+bool AreScattered(const std::vector<Id>& touched, std::size_t numberOfVertices)
+{
+  constexpr std::size_t samples = 256;
+  const auto far = static_cast<Id>(numberOfVertices / 8);
+  std::size_t count = 0;
+  for (std::size_t k = 0; k < samples && touched.size() > samples; ++k)
+  {
+    const std::size_t i = k * (touched.size() / samples);
+    count += std::abs(touched[i + 1] - touched[i]) > far ? 1 : 0;
+  }
+  return 2 * count > samples;
+}
+
 /// Writes edges, tails and seeds of the labels into a result that shares their distances. `steps`
 /// receives the reached vertices, every vertex after its tail.
 void FinishTree(const SearchLabels& labels, SearchResult& result, std::vector<TreeStep>& steps)
@@ -114,7 +134,7 @@ void FinishTree(const SearchLabels& labels, SearchResult& result, std::vector<Tr
   steps.clear();
   steps.reserve(labels.Touched.size());
   std::vector<Id> climbed;
-  ForEachTouched(labels.Touched, labels.Distances.size(), [&](Id v) {
+  const auto finish = [&](Id v) {
     if (!labels.IsReached(v))
     {
       return;
@@ -140,7 +160,23 @@ void FinishTree(const SearchLabels& labels, SearchResult& result, std::vector<Tr
       result.Tails[v] = origin.Tail;
       steps.push_back({ origin.Edge, v, origin.Tail });
     }
-  });
+  };
+  if (!AreScattered(labels.Touched, labels.Distances.size()))
+  {
+    ForEachTouched(labels.Touched, labels.Distances.size(), finish);
+    return;
+  }
+  // In the order of ids, every step of a climb would wait for memory. Most tails are reached
+  // before.
+  for (std::size_t i = 0; i < labels.Touched.size(); ++i)
+  {
+    const Id ahead = labels.Touched[std::min(i + TreeLookahead, labels.Touched.size() - 1)];
+    Prefetch(&labels.Origins[ahead]);
+    Prefetch(&result.Seeds[ahead]);
+    Prefetch(&result.Edges[ahead]);
+    Prefetch(&result.Tails[ahead]);
+    finish(labels.Touched[i]);
+  }
 }
 
 /// Workspace of one search.
