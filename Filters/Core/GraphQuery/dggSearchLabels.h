@@ -7,6 +7,7 @@
 
 #include "dggGeodesicGraph.h" // for GraphView
 #include "dggGraphSearch.h"   // for GraphSeed
+#include "dggLargePages.h"    // for AssignInLargePages
 
 #include <algorithm> // for std::for_each, std::min
 #include <cmath>     // for std::nextafter
@@ -39,7 +40,7 @@ void ResetTouched(std::vector<Value>& values, std::size_t numberOfVertices,
 {
   if (values.size() != numberOfVertices || !AreFew(touched, numberOfVertices))
   {
-    values.assign(numberOfVertices, initial);
+    AssignInLargePages(values, numberOfVertices, initial);
     return;
   }
   for (const Id v : touched)
@@ -96,7 +97,10 @@ struct SearchLabels
     const bool isLocal = this->Distances.size() == n && AreFew(this->Touched, n);
     const std::size_t removed = isLocal ? this->Touched.size() : n;
     ResetTouched(this->Distances, n, this->Touched, Infinity);
-    this->Origins.resize(n);
+    if (this->Origins.size() != n)
+    {
+      AssignInLargePages(this->Origins, n, LabelOrigin());
+    }
     this->Touched.clear();
     this->Touched.reserve(n);
     for (std::size_t i = 0; i < seeds.size(); ++i)
