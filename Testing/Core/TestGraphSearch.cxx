@@ -313,4 +313,47 @@ TEST(GraphSearch, VeryUnequalEdges)
   }
 }
 
+TEST(GraphSearch, EdgesBeyondTheRangeOfIds)
+{
+  // A small graph whose edges are numbered as behind six billion others, which do not exist.
+  constexpr dgg::Offset first = dgg::Offset(3) << 31;
+  const SearchCase c("terrain", Terrain(12, 0.5, 1), 0.05);
+  dgg::GraphView graph = c.GetGraph();
+  std::vector<dgg::Offset> offsets(graph.Offsets, graph.Offsets + graph.NumberOfVertices + 1);
+  for (dgg::Offset& offset : offsets)
+  {
+    offset += first;
+  }
+  const auto shift = [](const auto*& values) {
+    values = reinterpret_cast<std::remove_reference_t<decltype(values)>>(
+      reinterpret_cast<std::uintptr_t>(values) - first * sizeof(*values));
+  };
+  graph.Offsets = offsets.data();
+  shift(graph.Targets);
+  shift(graph.Lengths);
+  shift(graph.Angles);
+  shift(graph.ArrivalAngles);
+  const dgg::GraphSearch search(graph, &c.GetMesh());
+  const std::vector<GraphSeed> seeds{ SeedAt(5) };
+  for (SearchMethod method : AllMethods)
+  {
+    SearchOptions options;
+    options.Method = method;
+    options.Correct = true;
+    SearchResult result;
+    ASSERT_TRUE(search.Run(seeds, options, result).IsOk());
+    ExpectConsistentTree(graph, seeds, result, MethodName(method));
+    const SearchResult expected = c.Run(seeds, [=](SearchOptions& same) { same = options; });
+    ExpectSameDistances(expected.Distances, result.Distances, MethodName(method));
+    ExpectSameDistances(expected.Corrected, result.Corrected, MethodName(method));
+    for (const Id v : result.Reached)
+    {
+      EXPECT_TRUE(result.Edges[v] == -1 || result.Edges[v] >= first);
+    }
+  }
+  dgg::GraphPath path;
+  ASSERT_TRUE(search.Between(seeds, { SeedAt(100) }, nullptr, path).IsOk());
+  ASSERT_FALSE(path.Edges.empty());
+  EXPECT_EQ(graph.Targets[path.Edges.back()], 100);
+}
 }

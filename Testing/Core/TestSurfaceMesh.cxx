@@ -3,6 +3,7 @@
 // Connectivity, lengths, angles and vertex kinds of SurfaceMesh; degenerate faces, errors, reports.
 #include "TestMeshes.h"
 
+#include "dggPreparedSurface.h"
 #include "dggSurfaceMesh.h"
 
 namespace dggtest
@@ -430,6 +431,11 @@ TEST(SurfaceMeshErrors, RefuseTooManyTriangles)
   ExpectRefused(
     SurfaceMesh::FromPoints(nullptr, 3, nullptr, std::numeric_limits<dgg::Offset>::max(), mesh),
     mesh, "too large");
+  dgg::SurfaceArrays points;
+  points.NumberOfPoints = dgg::Offset(1) << 31;
+  dgg::PreparedSurface::Pointer surface;
+  EXPECT_TRUE(
+    Says(dgg::PreparedSurface::Make(points, dgg::Domain(), {}, surface), "more than 2147483647"));
   ExpectRefused(SurfaceMesh::FromLengths(-1, nullptr, 0, nullptr, mesh), mesh, "-1 points");
   ExpectRefused(SurfaceMesh::FromLengths(1, nullptr, -1, nullptr, mesh), mesh, "-1 triangles");
 }
