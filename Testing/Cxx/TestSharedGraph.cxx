@@ -18,7 +18,7 @@ namespace
 constexpr double BytesOfTables = 8.0;
 constexpr double BytesOfLandmarks = 68.0;
 /// Lower bound of the size of the table that links points, bytes per vertex.
-constexpr double BytesOfBuilder = 24.0;
+constexpr double BytesOfBuilder = 16.0;
 
 class SharedGraph : public ::testing::Test
 {

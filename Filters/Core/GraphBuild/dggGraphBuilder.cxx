@@ -50,7 +50,7 @@ constexpr double GrowthOfRows = 1.5;
 constexpr double BytesPerVertex = 48.0;
 constexpr double BytesPerWindow = 512.0;
 /// Memory of the table of the mesh in bytes, per vertex and per face.
-constexpr double BytesOfTablePerVertex = 24.0;
+constexpr double BytesOfTablePerVertex = 12.0;
 constexpr double BytesOfTablePerFace = 4.0;
 
 /// Maximum work of a graph, in units of GraphWindowTracer::GetWork(), per face at an accuracy of 1

@@ -113,7 +113,7 @@ void SurfaceMeshBuilder::GlueByVertices()
       this->Glue(v, left, incoming, right);
     }
   }
-  this->LastHalfEdges = {};
+  std::vector<LastHalfEdge>().swap(this->LastHalfEdges);
   for (const Id edge : this->CrowdedEdges)
   {
     this->RelinkWithoutDuplicates(edge);

@@ -29,7 +29,7 @@ UnfoldingTable::UnfoldingTable(const SurfaceMesh& mesh, std::vector<Id> order)
   this->OrderFaces();
   this->Mirrors = this->Count.NeedsMirrors ? mesh.GetNumberOfHalfEdges() : 0;
   this->ListBranches();
-  this->MeasureRanges();
+  this->MeasureLastAngles();
 }
 
 UnfoldingTable::Extent UnfoldingTable::Measure() const
@@ -72,21 +72,26 @@ Status UnfoldingTable::CheckSize(const Extent& count)
     .Fix(count.NeedsMirrors ? "Make it an oriented manifold, or simplify it" : "Simplify it");
 }
 
-void UnfoldingTable::MeasureRanges()
+void UnfoldingTable::MeasureLastAngles()
 {
-  this->Ranges.resize(this->Order.size());
+  this->LastAngles.resize(this->Order.size());
   for (std::size_t i = 0; i < this->Order.size(); ++i)
   {
     const double total = this->Mesh.TotalAngle(this->Order[i]);
-    AngleRange& range = this->Ranges[i];
-    // On the boundary, rounding errors are clamped at both ends instead of wrapping around.
-    range.Turn = this->Mesh.Kind(this->Order[i]) == VertexKind::Boundary ? 0.0 : total;
-    range.Last = static_cast<float>(total);
-    if (range.Last > 0.0F && static_cast<double>(range.Last) >= total)
-    {
-      range.Last = std::nextafter(range.Last, 0.0F);
-    }
+    const auto last = static_cast<float>(total);
+    const bool isBeyond = last > 0.0F && static_cast<double>(last) >= total;
+    this->LastAngles[i] = isBeyond ? std::nextafter(last, 0.0F) : last;
   }
+}
+
+/// Moves an angle by the total angle of a vertex into the range of stored angles. On the boundary,
+/// rounding errors are clamped at both ends instead of wrapping around.
+double UnfoldingTable::Wrap(Id v, double angle) const
+{
+  const Id old = this->Order[v];
+  const double turn =
+    this->Mesh.Kind(old) == VertexKind::Boundary ? 0.0 : this->Mesh.TotalAngle(old);
+  return angle + (angle < 0.0 ? turn : angle >= turn ? -turn : 0.0);
 }
 
 /// Orders the faces by their first vertex.

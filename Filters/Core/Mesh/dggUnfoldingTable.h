@@ -129,10 +129,10 @@ public:
   /// a float below the end of the range.
   float StoredAngle(Id v, double angle) const
   {
-    const AngleRange& range = this->Ranges[v];
-    const double turn = angle < 0.0 ? range.Turn : angle >= range.Turn ? -range.Turn : 0.0;
-    const auto stored = static_cast<float>(angle + turn);
-    return stored > 0.0F ? std::min(stored, range.Last) : 0.0F;
+    const float last = this->LastAngles[v];
+    const auto stored =
+      static_cast<float>(angle >= 0.0 && angle <= last ? angle : this->Wrap(v, angle));
+    return stored > 0.0F ? std::min(stored, last) : 0.0F;
   }
 
   /// Returns true if edges with more than two faces exist.
@@ -144,16 +144,11 @@ public:
 private:
   static constexpr Id FirstBranch = -2;
 
-  struct AngleRange
-  {
-    double Turn = 0.0; ///< total angle; 0 on the boundary
-    float Last = 0.0F; ///< largest float below the total angle
-  };
-
   Extent Measure() const;
   Offset CountEntries() const { return (this->Count.NeedsMirrors ? 2 : 1) * this->Count.HalfEdges; }
   void OrderFaces();
-  void MeasureRanges();
+  void MeasureLastAngles();
+  double Wrap(Id v, double angle) const;
   void ListBranches();
   void FillEntries(Offset first, bool mirrored, CrossingBlock& block) const;
   FaceCrossing MakeCrossing(Id h, bool mirrored) const;
@@ -168,7 +163,7 @@ private:
   /// Per block of entries that are not mirrored, the first new vertex at the face of its first
   /// entry.
   std::vector<Id> FirstVertices;
-  std::vector<AngleRange> Ranges; // per new vertex
+  std::vector<float> LastAngles; // per new vertex, largest float below the total angle
   /// Per non-manifold edge, two lists of the crossings that are entered through the edge, with one
   /// entry per half-edge. The lists are mirror images of each other and interleaved. A negative
   /// entry at the end of a list is the offset back to the beginning of the list. A code contains

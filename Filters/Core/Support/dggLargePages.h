@@ -21,7 +21,7 @@ void AssignInLargePages(std::vector<Value>& values, std::size_t size, const Valu
 {
   if (values.capacity() < size)
   {
-    values = {};
+    std::vector<Value>().swap(values);
     values.reserve(size);
     UseLargePages(values.data(), size * sizeof(Value));
   }

@@ -150,7 +150,7 @@ Status PreparedSurface::Build(const SurfaceArrays& input)
   if (std::adjacent_find(this->Cells.begin(), this->Cells.end(),
         [](Offset a, Offset b) { return b != a + 1; }) == this->Cells.end())
   {
-    this->Cells = {};
+    std::vector<Offset>().swap(this->Cells);
     this->HasInputCells = this->Vertices.empty() && this->Caps.NumberOfCaps == 0 &&
       input.Strips.NumberOfCells == 0 &&
       input.Polygons.NumberOfIds == static_cast<Offset>(triangles.size()) &&

@@ -81,7 +81,7 @@ std::size_t EstimateBuilder(const PreparedSurface& surface)
   const MeshReport& report = surface.GetReport();
   const std::size_t perHalfEdge = sizeof(FaceCrossing) + sizeof(double);
   const std::size_t copies = report.InconsistentEdges + report.NonManifoldEdges > 0 ? 2 : 1;
-  const std::size_t perVertex = 2 * sizeof(double) + 2 * sizeof(Id);
+  const std::size_t perVertex = sizeof(float) + 2 * sizeof(Id);
   return static_cast<std::size_t>(report.Faces) * (3 * copies * perHalfEdge + sizeof(Id)) +
     static_cast<std::size_t>(report.Vertices) * perVertex;
 }
