@@ -6,13 +6,13 @@
 #include "SearchChecks.h"
 #include "TestMeshes.h"
 
+#include "dggCrossingBlocks.h"
 #include "dggDirectionUnion.h"
 #include "dggGeodesicGraph.h"
 #include "dggGraphAssembly.h"
 #include "dggGraphPruning.h"
 #include "dggRowStore.h"
 #include "dggSurfaceOrder.h"
-#include "dggUnfoldingTable.h"
 
 namespace dggtest
 {
@@ -177,6 +177,33 @@ TEST(GraphParts, UnfoldingTableSaysWhenTooLarge)
     EXPECT_EQ(status.GetCode(), dgg::Status::Code::InvalidInput);
     EXPECT_TRUE(Says(status, "too many"));
     EXPECT_TRUE(Says(status, "manifold"));
+  }
+}
+
+TEST(GraphParts, ReleasedCrossingsAreComputedAgain)
+{
+  std::vector<Id> sheets;
+  for (const TestMesh& points : { Plane(40, 30, 0.2, 1), Book(3, 20, sheets) })
+  {
+    const dgg::SurfaceMesh mesh = Build(points);
+    const dgg::UnfoldingTable table(mesh, dgg::ComputePatchOrder(mesh, 256));
+    ASSERT_GE(table.GetNumberOfBlocks(), 5u);
+    dgg::CrossingBlocks crossings(table);
+    for (int round = 0; round < 3; ++round)
+    {
+      for (Id h = 0; h < mesh.GetNumberOfHalfEdges(); ++h)
+      {
+        const Id entry = table.EntryOf(h);
+        EXPECT_EQ(crossings[entry].HalfEdge, h);
+        EXPECT_EQ(crossings[entry].Apex.X, mesh.ApexX(h));
+        EXPECT_EQ(crossings.PolarAngle(h), mesh.PolarAngle(h));
+        if (table.NeedsMirrors())
+        {
+          EXPECT_EQ(crossings[entry + mesh.GetNumberOfHalfEdges()].HalfEdge, ~h);
+        }
+      }
+      crossings.Trim(1);
+    }
   }
 }
 

@@ -50,7 +50,6 @@ template <typename Rule>
 class GraphWindowTracer
 {
 public:
-  /// Stores a reference to the crossings.
   GraphWindowTracer(CrossingBlocks& crossings, const Rule& rule, const WindowLimits& limits)
     : Crossings(crossings)
     , Table(crossings.GetTable())
@@ -274,8 +273,6 @@ private:
       this->Table.ForEach(code, [&](Id entry) { this->Push(entry, window); });
       return;
     }
-    const Relay& left = this->Relays[window.Relays[0]];
-    const Relay& right = this->Relays[window.Relays[1]];
     this->Table.ForEach(code, [&](Id entry) {
       const FaceCrossing& face = this->Crossings[entry];
       const Id h = face.GetHalfEdge();
@@ -283,7 +280,7 @@ private:
       copy.Number = this->Memory.Admit(
         { h, face.IsMirrored(), this->Table.NewVertex(this->Mesh.Origin(h)),
           this->Table.NewVertex(this->Mesh.Destination(h)), this->Behind, this->BehindAt },
-        left, right, window);
+        this->Relays[window.Relays[0]], this->Relays[window.Relays[1]], window);
       if (copy.Number != NoId)
       {
         this->Push(entry, copy);
@@ -428,7 +425,6 @@ private:
       {
         return;
       }
-
       const Point2 apex = FromFrame(window.Ends[0], window.Axis, face.Apex);
       if (this->Targets)
       {
