@@ -14,6 +14,8 @@
 #include "dggRowStore.h"
 #include "dggSurfaceOrder.h"
 
+#include <numeric>
+
 namespace dggtest
 {
 namespace
@@ -57,6 +59,24 @@ TEST(GraphParts, RoundedUp)
   EXPECT_GT(dgg::RoundedUp(1e-60), 0.0F);
 }
 
+TEST(GraphParts, EquallyLongPathsDoNotDependOnTheOrderOfRows)
+{
+  // Of two paths of the same length, the one that vertex 0 has found is kept.
+  for (const std::vector<Id>& ids : { std::vector<Id>{ 0, 1 }, std::vector<Id>{ 1, 0 } })
+  {
+    RowStore rows(true);
+    for (Id row = 0; row < 2; ++row)
+    {
+      const auto vertex = static_cast<float>(ids[row]);
+      Append(rows, { { 1 - row, 1.0, 2.0F + vertex, 4.0F + vertex } });
+    }
+    dgg::DirectionUnion(ids).Unite(rows, 0, nullptr);
+    ASSERT_EQ(rows.GetNumberOfEdges(), 1);
+    EXPECT_EQ(rows.Departure(0), ids[0] == 0 ? 2.0F : 4.0F);
+    EXPECT_EQ(rows.Arrival(0), ids[0] == 0 ? 4.0F : 2.0F);
+  }
+}
+
 TEST(GraphParts, UniteDirectionsOfLongRows)
 {
   // Random graphs with more rows than are united in one batch, and with long rows, in two steps.
@@ -82,7 +102,9 @@ TEST(GraphParts, UniteDirectionsOfLongRows)
     }
     const auto unite = [&](const dgg::ParallelFor& parallel) {
       RowStore rows(true);
-      dgg::DirectionUnion directions;
+      std::vector<Id> ids(count);
+      std::iota(ids.begin(), ids.end(), 0);
+      dgg::DirectionUnion directions(ids);
       for (const Id last : { 520, 521, count })
       {
         const Id first = rows.GetNumberOfRows();

@@ -16,15 +16,15 @@ void DirectionUnion::Unite(RowStore& rows, Id first, const ParallelFor& parallel
     for (Offset row = begin; row < end; row += RowsAtOnce)
     {
       const Offset last = std::min<Offset>(end, row + RowsAtOnce);
-      workspace->Unite(rows, first + static_cast<Id>(row), first + static_cast<Id>(last), base,
-        this->IsDouble.data());
+      workspace->Unite(this->Ids, rows, first + static_cast<Id>(row), first + static_cast<Id>(last),
+        base, this->IsDouble.data());
     }
   });
   rows.Remove(first, this->IsDouble);
 }
 
 void DirectionUnion::Workspace::Unite(
-  RowStore& rows, Id begin, Id end, Offset base, unsigned char* flags)
+  const std::vector<Id>& ids, RowStore& rows, Id begin, Id end, Offset base, unsigned char* flags)
 {
   if (this->Heads.size() < static_cast<std::size_t>(end))
   {
@@ -68,7 +68,9 @@ void DirectionUnion::Workspace::Unite(
       if (back >= 0)
       {
         flags[wanted.Edge - base] = 1;
-        if (rows.Length(wanted.Edge) < rows.Length(back))
+        const double length = rows.Length(wanted.Edge);
+        if (length < rows.Length(back) ||
+          (length == rows.Length(back) && ids[wanted.Row] < ids[target]))
         {
           const RowEdge edge = rows.Get(wanted.Edge);
           rows.SetWay(back, edge.Length, edge.Arrival, edge.Departure);

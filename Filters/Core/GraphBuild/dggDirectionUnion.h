@@ -15,10 +15,18 @@
 namespace dgg
 {
 /// Unites both directions of edges. If an edge was found from both ends, only the copy in the row
-/// of the earlier vertex is kept, with the shorter of the two paths.
+/// of the earlier vertex is kept, with the shorter of the two paths. Of equally long paths the one
+/// that was found from the vertex with the smaller id is kept, so that the edge does not depend on
+/// the order of rows.
 class DirectionUnion
 {
 public:
+  /// `ids` is the id of the vertex of each row.
+  explicit DirectionUnion(const std::vector<Id>& ids)
+    : Ids(ids)
+  {
+  }
+
   /// Unites the rows from `first` on. `first` is the first row that has not been united with the
   /// rows before it.
   void Unite(RowStore& rows, Id first, const ParallelFor& parallel);
@@ -40,7 +48,8 @@ private:
   public:
     /// Processes rows [begin, end), at most RowsAtOnce. Sets the flags of edges to be removed;
     /// flags[0] belongs to the edge `base`.
-    void Unite(RowStore& rows, Id begin, Id end, Offset base, unsigned char* flags);
+    void Unite(const std::vector<Id>& ids, RowStore& rows, Id begin, Id end, Offset base,
+      unsigned char* flags);
 
   private:
     std::vector<Id> Heads; ///< per target, head of its list in AllWanted, or NoId
@@ -51,6 +60,7 @@ private:
   };
   static constexpr Id RowsAtOnce = 256;
 
+  const std::vector<Id>& Ids;
   WorkspacePool<Workspace> Workspaces;
   std::vector<unsigned char> IsDouble; ///< per edge of the new rows, 1 if to be removed
 };

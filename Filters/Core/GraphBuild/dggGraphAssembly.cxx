@@ -88,7 +88,7 @@ void CountEdges(const RowStore& rows, const std::vector<Id>& order, Buffer<Offse
   std::partial_sum(offsets.begin(), offsets.end(), offsets.begin());
 }
 
-/// Sorts the rows of a graph by angle.
+/// Sorts the rows of a graph by angle, and edges with equal angles by target.
 class RowSorter
 {
 public:
@@ -105,7 +105,10 @@ public:
       std::memcpy(&bits, graph.Angles.Data() + begin + i, sizeof(bits));
       this->Order[i] = static_cast<std::uint64_t>(bits) << 32 | i;
     }
-    std::sort(this->Order.begin(), this->Order.end());
+    const Id* const targets = graph.Targets.Data() + begin;
+    std::sort(this->Order.begin(), this->Order.end(), [targets](std::uint64_t a, std::uint64_t b) {
+      return a >> 32 != b >> 32 ? a < b : targets[a & 0xffffffffU] < targets[b & 0xffffffffU];
+    });
     this->Permute(graph.Targets.Data() + begin, this->Ids);
     this->Permute(graph.Angles.Data() + begin, this->Floats);
     this->Permute(graph.ArrivalAngles.Data() + begin, this->Floats);

@@ -464,7 +464,7 @@ Status GraphBuilder::Implementation::BuildRows(const Rule& rule, const GraphOpti
   CrossingBlocks& crossings = own ? *own : this->Crossings;
   WorkspacePool<GraphWindowTracer<Rule>> tracers;
   std::vector<RowBlock> blocks;
-  DirectionUnion directions;
+  DirectionUnion directions(this->Table.GetOrder());
   std::atomic<std::size_t> windows{ 0 };
   Id last = 0;
   for (Id first = 0, rowsOfWave = RowsOfFirstWave; first < n; first = last)
@@ -555,7 +555,7 @@ Status GraphBuilder::Implementation::Build(
   {
     DGG_RETURN_IF_ERROR(PruneCandidates(rows, options.Accuracy, options.Parallel,
       ProgressPart(options.Progress, shares.Rows, shares.Rows + shares.Pruning)));
-    DirectionUnion().Unite(rows, 0, options.Parallel);
+    DirectionUnion(this->Table.GetOrder()).Unite(rows, 0, options.Parallel);
   }
   const double done = shares.Rows + shares.Pruning;
   DGG_RETURN_IF_ERROR(AssembleGraph(rows, this->Table.GetOrder(), wide, options.Parallel,

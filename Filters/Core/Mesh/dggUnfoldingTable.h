@@ -86,6 +86,8 @@ public:
   /// Returns the old id of a vertex of the table, or the new id of a vertex of the mesh.
   Id OldVertex(Id v) const { return this->Order[v]; }
   Id NewVertex(Id v) const { return this->Rank[v]; }
+  /// Returns the old ids of all vertices of the table.
+  const std::vector<Id>& GetOrder() const { return this->Order; }
 
   std::size_t GetNumberOfBlocks() const
   {

@@ -99,7 +99,7 @@ dgg::Status BuildFromCandidates(const dgg::SurfaceMesh& mesh, double accuracy, P
     PruneAsPublished(rows, accuracy);
   }
   statistics.PruningSeconds = CPUSeconds() - start;
-  dgg::DirectionUnion().Unite(rows, 0, {});
+  dgg::DirectionUnion(table.GetOrder()).Unite(rows, 0, {});
   DGG_RETURN_IF_ERROR(dgg::AssembleGraph(rows, table.GetOrder(), wide, {}, {}, graph));
   graph.Info.Construction = dgg::GraphConstruction::Indirect;
   graph.Info.Accuracy = accuracy;
