@@ -103,6 +103,14 @@ dgg_add_consumer_test(GraphPipeline 0 "from point 3: up to [0-9.]+.*from point 6
   "${consumer_dir}/GraphPipeline" "mesh.ply" 3 600 "graph.png")
 set_tests_properties("Install.GraphPipeline" PROPERTIES
   ENVIRONMENT "${dgg_leaking_environment}")
+if (TARGET DGG::FiltersParallel AND MPIEXEC_EXECUTABLE)
+  dgg_add_consumer_test(GraphInPieces 0 "process [01]: [0-9]+ edges, distances up to [0-9.]+"
+    "${MPIEXEC_EXECUTABLE}" ${MPIEXEC_NUMPROC_FLAG} 2 ${MPIEXEC_PREFLAGS}
+      "${consumer_dir}/GraphInPieces")
+  set_tests_properties("Install.GraphInPieces" PROPERTIES
+    ENVIRONMENT "${dgg_leaking_environment};${dgg_mpi_environment}"
+    TIMEOUT 60)
+endif ()
 dgg_add_consumer_test(TerrainPath 0
   "on the surface: 12.50.* km.*along mesh edges: 13.22.* km, [0-9.]+ % longer"
   "${consumer_dir}/TerrainPath" "terrain.png")

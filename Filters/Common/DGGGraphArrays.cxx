@@ -5,6 +5,7 @@
 #include "DGGArrayView.h"
 #include "DGGMakeArray.h"
 
+#include "dggPieceGraph.h"
 #include "dggPreparedSurface.h"
 
 #include "vtkDoubleArray.h"
@@ -69,7 +70,26 @@ void DGGGraphArrays::Adopt(dgg::GeodesicGraph& graph, const std::vector<double>&
   dgg::Buffer<double> ownRadii(radii.size());
   std::copy(radii.begin(), radii.end(), ownRadii.begin());
   // The arrays take over the memory that the view refers to.
-  this->Graph = StoredGraph(graph.View(), { voxelSize, ownRadii.Data() });
+  this->Graph = StoredGraph(graph.View(), dgg::CloudBand{ voxelSize, ownRadii.Data() });
+  dgg::Buffer<dgg::Offset> noGhosts;
+  this->AdoptArrays(graph, ownRadii, noGhosts, context);
+}
+
+//------------------------------------------------------------------------------
+void DGGGraphArrays::Adopt(dgg::PieceGraph& graph, const dgg::TaskContext& context)
+{
+  this->Clear();
+  this->Graph = StoredGraph(graph.Rows.View(),
+    dgg::GhostVertices{ graph.GhostIds.Data(), static_cast<dgg::Id>(graph.GhostIds.Size()) });
+  dgg::Buffer<double> noRadii;
+  this->AdoptArrays(graph.Rows, noRadii, graph.GhostIds, context);
+}
+
+//------------------------------------------------------------------------------
+/// Creates arrays from the memory that the stored graph refers to.
+void DGGGraphArrays::AdoptArrays(dgg::GeodesicGraph& graph, dgg::Buffer<double>& radii,
+  dgg::Buffer<dgg::Offset>& ghosts, const dgg::TaskContext& context)
+{
   dgg::Buffer<std::int64_t> info = this->Graph.MakeInfo(context.Surface, context.Parallel);
 
   const auto name = &StoredGraph::GetName;
@@ -85,7 +105,8 @@ void DGGGraphArrays::Adopt(dgg::GeodesicGraph& graph, const std::vector<double>&
     lengths,
     DGGAdoptArray<vtkFloatArray>(graph.Angles, name(StoredGraph::Angles)),
     DGGAdoptArray<vtkFloatArray>(graph.ArrivalAngles, name(StoredGraph::ArrivalAngles)),
-    DGGAdoptArray<vtkDoubleArray>(ownRadii, name(StoredGraph::Radii)),
+    DGGAdoptArray<vtkDoubleArray>(radii, name(StoredGraph::Radii)),
+    DGGAdoptArray<vtkTypeInt64Array>(ghosts, name(StoredGraph::GhostIds)),
     DGGAdoptArray<vtkTypeInt64Array>(info, name(StoredGraph::Info)),
   } };
   for (int role = 0; role < StoredGraph::NumberOfRoles; ++role)
@@ -119,6 +140,32 @@ bool DGGGraphArrays::AreOfCloud(vtkFieldData* data)
   return data &&
     StoredGraph::IsOfCloud(
       DGGViewArray(data->GetAbstractArray(StoredGraph::GetName(StoredGraph::Info))));
+}
+
+//------------------------------------------------------------------------------
+bool DGGGraphArrays::AreOfPiece(vtkFieldData* data)
+{
+  return StoredGraph::IsOfPiece(
+    DGGViewArray(data->GetAbstractArray(StoredGraph::GetName(StoredGraph::Info))));
+}
+
+//------------------------------------------------------------------------------
+bool DGGGraphArrays::AreOfWhole(vtkFieldData* data)
+{
+  return data->HasArray(StoredGraph::GetName(StoredGraph::Info)) && !AreOfPiece(data);
+}
+
+//------------------------------------------------------------------------------
+void DGGGraphArrays::Pass(vtkFieldData* from, vtkFieldData* to)
+{
+  RemoveFrom(to);
+  for (int role = 0; role < StoredGraph::NumberOfRoles; ++role)
+  {
+    if (vtkAbstractArray* array = from->GetAbstractArray(StoredGraph::GetName(role)))
+    {
+      to->AddArray(array);
+    }
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -169,18 +216,46 @@ bool DGGGraphArrays::Find(
   this->Arrays = MakeEntries(data);
   if (this->Arrays != Entries())
   {
-    StoredGraph::Arrays arrays;
-    for (int role = 0; role < StoredGraph::NumberOfRoles; ++role)
-    {
-      arrays[role] = DGGViewArray(this->Arrays[role].Array);
-    }
-    const dgg::Status status = this->Graph.Read(arrays, mesh, context.Parallel);
+    const dgg::Status status = this->Graph.Read(this->ViewArrays(), mesh, context.Parallel);
     this->IsGraph = status.IsOk();
     this->Time.Modified();
     complaint = status.GetProblem();
   }
   this->Mesh = mesh.GetBuildNumber(); // last, so that an exception leaves the arrays unchecked
   return this->IsGraph;
+}
+
+//------------------------------------------------------------------------------
+bool DGGGraphArrays::FindPiece(vtkFieldData* data, vtkIdType numberOfPoints,
+  const dgg::ParallelFor& parallel, std::string& complaint)
+{
+  complaint.clear();
+  const Entries entries = MakeEntries(data);
+  if (entries == this->Arrays)
+  {
+    return this->IsGraph;
+  }
+  this->Clear();
+  this->Arrays = entries;
+  if (entries != Entries())
+  {
+    const dgg::Status status = this->Graph.ReadPiece(this->ViewArrays(), numberOfPoints, parallel);
+    this->IsGraph = status.IsOk();
+    this->Time.Modified();
+    complaint = status.GetProblem();
+  }
+  return this->IsGraph;
+}
+
+//------------------------------------------------------------------------------
+StoredGraph::Arrays DGGGraphArrays::ViewArrays() const
+{
+  StoredGraph::Arrays arrays;
+  for (int role = 0; role < StoredGraph::NumberOfRoles; ++role)
+  {
+    arrays[role] = DGGViewArray(this->Arrays[role].Array);
+  }
+  return arrays;
 }
 
 //------------------------------------------------------------------------------

@@ -20,6 +20,10 @@
 #include <vector>  // for radii and keys
 
 class vtkFieldData;
+namespace dgg
+{
+struct PieceGraph;
+}
 
 /// Stores a graph of the kernel in field data without a copy, and finds it there. The same arrays
 /// are read and checked only once.
@@ -31,14 +35,26 @@ public:
   /// Creates arrays from the graph of a cloud; `radii` are the radii of its band, one per point.
   void Adopt(dgg::GeodesicGraph& graph, const std::vector<double>& radii, double voxelSize,
     const dgg::TaskContext& context);
+  /// Creates arrays from the graph of a piece, which is empty afterwards.
+  void Adopt(dgg::PieceGraph& graph, const dgg::TaskContext& context);
 
   /// Returns true if field data, which may be null, contain the graph of a cloud.
   static bool AreOfCloud(vtkFieldData* data);
+  ///@{
+  /// Returns true if field data contain the graph of a piece, or the graph of an entire surface.
+  static bool AreOfPiece(vtkFieldData* data);
+  static bool AreOfWhole(vtkFieldData* data);
+  ///@}
 
   /// Finds the graph of the mesh or cloud in `data`, which may be null. Returns true if there is
   /// one. `complaint` is the reason why existing arrays are not a graph of the mesh; it is empty if
   /// the same arrays were rejected before.
   bool Find(vtkFieldData* data, const dgg::TaskContext& context, std::string& complaint);
+
+  /// Finds the graph of a piece with this number of points in the same manner. Its signature is not
+  /// compared.
+  bool FindPiece(vtkFieldData* data, vtkIdType numberOfPoints, const dgg::ParallelFor& parallel,
+    std::string& complaint);
 
   /// Returns true if Find() would return the same result as the last time. Does not read the
   /// arrays.
@@ -49,6 +65,12 @@ public:
 
   /// Adds the arrays to field data; they replace the arrays of an earlier graph.
   void AddTo(vtkFieldData* data) const;
+
+  /// Returns true if the arrays are in field data.
+  bool IsIn(vtkFieldData* data) const { return this->IsGraph && this->Arrays == MakeEntries(data); }
+
+  /// Adds the arrays of any graph in field data to other field data.
+  static void Pass(vtkFieldData* from, vtkFieldData* to);
 
   /// Removes the arrays of any graph from field data.
   static void RemoveFrom(vtkFieldData* data);
@@ -82,6 +104,9 @@ private:
   };
   using Entries = std::array<Entry, dgg::StoredGraph::NumberOfRoles>;
 
+  void AdoptArrays(dgg::GeodesicGraph& graph, dgg::Buffer<double>& radii,
+    dgg::Buffer<dgg::Offset>& ghosts, const dgg::TaskContext& context);
+  dgg::StoredGraph::Arrays ViewArrays() const;
   static Entry MakeEntry(vtkAbstractArray* array);
   static Entries MakeEntries(vtkFieldData* data);
 

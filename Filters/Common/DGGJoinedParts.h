@@ -40,6 +40,11 @@ public:
   dgg::Status Join(const std::vector<DGGSurfacePart>& parts);
 
   vtkPolyData* GetWhole() const { return this->Whole; }
+  /// Returns the ids of the points of a part on the joined surface.
+  const std::vector<dgg::Offset>& GetPointIds(std::size_t part) const
+  {
+    return this->Ids[part].Points;
+  }
 
   /// Returns the result on a part of an output that has the points and cells of the joined surface.
   DGGPartResult MakeResult(vtkPolyData* output, std::size_t part) const;

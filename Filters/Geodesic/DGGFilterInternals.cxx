@@ -13,6 +13,7 @@
 
 #include "dggDistanceOutput.h"
 #include "dggFreeMemory.h"
+#include "dggProcessGroup.h"
 #include "dggPropertyChecks.h"
 #include "dggStatus.h"
 
@@ -207,13 +208,21 @@ dgg::Status DGGFilterInternals::Follow(
     *this->Parts = DGGPartedUpdate();
     return this->Compute(inputVector, outputVector);
   }
+  const DGGProcesses processes(pieces > 1 ? this->Filter->Controller : nullptr);
+  bool isDone = false;
+  DGG_RETURN_IF_ERROR(this->ComputePiece(processes, inputVector, outputVector, isDone));
+  if (isDone)
+  {
+    *this->Parts = DGGPartedUpdate();
+    this->Mesh->Clear(); // the report must not describe another surface
+    return dgg::Status::Success();
+  }
   const auto compute = [this](vtkInformationVector** inputs, vtkInformationVector* outputs) {
     return this->Try([&] { return this->Compute(inputs, outputs); });
   };
   const dgg::Status status =
-    this->Parts->Run(DGGProcesses(pieces > 1 ? this->Filter->Controller : nullptr),
-      pieces > 1 ? this->Filter->GatherLimit : VTK_ID_MAX, this->Filter->MemoryLimit, inputVector,
-      ports, outputVector, this->PassesSurface(), compute);
+    this->Parts->Run(processes, pieces > 1 ? this->Filter->GatherLimit : VTK_ID_MAX,
+      this->Filter->MemoryLimit, inputVector, ports, outputVector, this->PassesSurface(), compute);
   if (status.IsOk() && this->Parts->GetNumberOfOthers() > 0)
   {
     this->Warn(dgg::JoinText(this->Parts->GetNumberOfOthers(),
@@ -221,6 +230,43 @@ dgg::Status DGGFilterInternals::Follow(
       "surfaces first"));
   }
   return status;
+}
+
+//------------------------------------------------------------------------------
+/// Computes on the piece of this process together with the other processes. `isDone` becomes false
+/// if the pieces must be gathered.
+dgg::Status DGGFilterInternals::ComputePiece(const DGGProcesses& processes,
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector, bool& isDone)
+{
+  dgg::ProcessGroup group;
+  vtkSmartPointer<vtkPolyData> part = vtkPolyData::GetData(inputVector[0]);
+  const bool canJoin = this->CanDistribute() && !this->Filter->MergeCoincidentPoints && part;
+  isDone = processes.FindGroup(canJoin, group);
+  if (!isDone)
+  {
+    return dgg::Status::Success();
+  }
+  DGG_RETURN_IF_ERROR(group.Run([&] {
+    DGG_RETURN_IF_ERROR(this->CheckAllProperties());
+    return DGGRemoveGhosts(part);
+  }));
+  static const dgg::PreparedSurface none; // of the entire surface
+  const DGGContext update = this->MakeContext(part);
+  const DGGContext context{ { none, update.Memory, update.NumberOfThreads, update.Progress,
+                              update.Parallel, update.GetCells },
+    part };
+  DGGSurfaceArrays copies(part, true, false);
+  return this->ExecutePiece(
+    context, group, DGGConvertPart({ part, 0 }, copies), outputVector, isDone);
+}
+
+//------------------------------------------------------------------------------
+dgg::Status DGGFilterInternals::ExecutePiece(const DGGContext& vtkNotUsed(context),
+  const dgg::ProcessGroup& vtkNotUsed(group), const dgg::SurfacePiece& vtkNotUsed(piece),
+  vtkInformationVector* vtkNotUsed(outputVector), bool& isDone)
+{
+  isDone = false;
+  return dgg::Status::Success();
 }
 
 //------------------------------------------------------------------------------
@@ -261,7 +307,9 @@ dgg::Status DGGFilterInternals::Compute(
   {
     return dgg::Status::Abort();
   }
-  DGG_RETURN_IF_ERROR(this->Execute(this->MakeContext(input), inputVector, outputVector));
+  const DGGContext context = this->MakeContext(input);
+  this->Parts->AddGraph(context);
+  DGG_RETURN_IF_ERROR(this->Execute(context, inputVector, outputVector));
   this->Warn(this->OutputWarnings);
   return dgg::Status::Success();
 }

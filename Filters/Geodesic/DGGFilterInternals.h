@@ -25,6 +25,7 @@
 
 class DGGMeshAdapter;
 class DGGPartedUpdate;
+class DGGProcesses;
 class vtkGeodesicAlgorithm;
 class vtkInformation;
 class vtkInformationVector;
@@ -32,6 +33,8 @@ class vtkPolyData;
 namespace dgg
 {
 struct Output;
+struct ProcessGroup;
+struct SurfacePiece;
 }
 
 /// The steps of an update, which each filter implements, and the work that all filters share. The
@@ -55,6 +58,16 @@ public:
   virtual dgg::Status Execute(const DGGContext& context, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) = 0;
   virtual void MakeEmptyOutput(const DGGContext& context, vtkInformationVector* outputVector);
+  ///@}
+
+  ///@{
+  /// Steps in place of Execute() on several processes with one piece each. CanDistribute() returns
+  /// true if the properties allow them. ExecutePiece() is called on all processes with the
+  /// converted piece, which has no ghosts. `isDone` becomes false on all processes if the pieces
+  /// must be gathered. Errors must be the same on all processes (ProcessGroup::Agree).
+  virtual bool CanDistribute() const { return false; }
+  virtual dgg::Status ExecutePiece(const DGGContext& context, const dgg::ProcessGroup& group,
+    const dgg::SurfacePiece& piece, vtkInformationVector* outputVector, bool& isDone);
   ///@}
 
   /// Resets the results that getters return. Called before each update, so that a failed update
@@ -131,6 +144,8 @@ private:
   dgg::Status Follow(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector);
   dgg::Status Compute(vtkInformationVector** inputVector, vtkInformationVector* outputVector);
+  dgg::Status ComputePiece(const DGGProcesses& processes, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector, bool& isDone);
   bool Advance(double fraction);
 
   vtkGeodesicAlgorithm* Filter;

@@ -9,6 +9,7 @@
 
 #include "dggGraphBuildTask.h"
 #include "dggOutput.h"
+#include "dggPieceGraph.h"
 #include "dggPreparedSurface.h"
 #include "dggProgressPart.h"
 
@@ -37,6 +38,9 @@ public:
   void ForgetResults() override;
   dgg::Status Execute(const DGGContext& context, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
+  bool CanDistribute() const override { return !this->Self->GenerateGraphLines; }
+  dgg::Status ExecutePiece(const DGGContext& context, const dgg::ProcessGroup& group,
+    const dgg::SurfacePiece& piece, vtkInformationVector* outputVector, bool& isDone) override;
   bool PassesSurface() const override { return true; }
   void MakeEmptyOutput(const DGGContext& context, vtkInformationVector* outputVector) override;
   std::string GetMemoryRemedy() const override;
@@ -240,6 +244,62 @@ dgg::Status vtkDiscreteGeodesicGraph::vtkInternals::Execute(const DGGContext& co
   output->ShallowCopy(context.Input);
   graph.AddTo(output->GetFieldData());
   this->Current = dgg::GraphSummary(graph.GetView());
+  return dgg::Status::Success();
+}
+
+//------------------------------------------------------------------------------
+dgg::Status vtkDiscreteGeodesicGraph::vtkInternals::ExecutePiece(const DGGContext& context,
+  const dgg::ProcessGroup& group, const dgg::SurfacePiece& piece,
+  vtkInformationVector* outputVector, bool& isDone)
+{
+  // The graph of the entire surface is on the first process.
+  isDone = group.Holds(!DGGGraphArrays::AreOfWhole(context.Input->GetFieldData()));
+  if (!isDone)
+  {
+    return dgg::Status::Success();
+  }
+  const dgg::GraphOptions options = this->MakeOptions();
+  const dgg::Signature signature = dgg::SumSignatures(group.Share(dgg::ComputeSignature(piece)));
+  std::string complaint;
+  bool isFound = this->OnInput.FindPiece(
+    context.Input->GetFieldData(), piece.NumberOfPoints, context.Parallel, complaint);
+  this->InputGraphDamage = this->OnInput.GetDamage();
+  if (isFound && this->OnInput.GetView().Info.Surface != signature)
+  {
+    isFound = false;
+    complaint = "The graph {InArrays} is out of date: points or cells have changed since it was "
+                "built";
+  }
+  if (!complaint.empty())
+  {
+    this->Warn(dgg::DescribeReplacement(complaint, options));
+  }
+  const dgg::GraphInfo& built = this->Built.GetView().Info;
+  // All processes use the same graph.
+  const bool isOnInput =
+    group.Holds(isFound && dgg::IsBuiltWith(this->OnInput.GetView().Info, options));
+  const bool isKept = group.Holds(
+    this->Built.IsValid() && built.Surface == signature && dgg::IsBuiltWith(built, options));
+  if (!isOnInput && !isKept)
+  {
+    this->Built.Clear();
+    dgg::PieceGraph graph;
+    DGG_RETURN_IF_ERROR(
+      dgg::BuildPieceGraph(context, group, piece, options, graph, this->Estimate, isDone));
+    if (!isDone)
+    {
+      return dgg::Status::Success();
+    }
+    this->Built.Adopt(graph, context);
+    this->BuildTime.Modified();
+  }
+  const DGGGraphArrays& graph = isOnInput ? this->OnInput : this->Built;
+  vtkPolyData::GetData(outputVector, 1)->Initialize();
+  vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
+  output->ShallowCopy(context.Input);
+  graph.AddTo(output->GetFieldData());
+  this->Current = dgg::GraphSummary(graph.GetView());
+  this->Current.NumberOfVertices = static_cast<dgg::Id>(piece.NumberOfPoints);
   return dgg::Status::Success();
 }
 

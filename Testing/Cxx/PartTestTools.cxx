@@ -143,6 +143,41 @@ Labels LabelRandomly(vtkPolyData* surface, int parts, unsigned int seed)
   return labels;
 }
 
+Labels LabelBisection(vtkPolyData* surface, int parts)
+{
+  const auto polygons = GetPolygons(surface);
+  Labels labels(polygons.size());
+  const std::function<void(std::vector<std::size_t>, int, int, int)> divide =
+    [&](std::vector<std::size_t> cells, int first, int count, int axis) {
+      if (count == 1)
+      {
+        std::for_each(cells.begin(), cells.end(), [&](std::size_t cell) { labels[cell] = first; });
+        return;
+      }
+      std::stable_sort(cells.begin(), cells.end(), [&](std::size_t a, std::size_t b) {
+        return surface->GetPoint(polygons[a][0])[axis] < surface->GetPoint(polygons[b][0])[axis];
+      });
+      const auto middle = cells.begin() +
+        static_cast<std::ptrdiff_t>(
+          cells.size() * static_cast<std::size_t>(count / 2) / static_cast<std::size_t>(count));
+      divide({ cells.begin(), middle }, first, count / 2, 1 - axis);
+      divide({ middle, cells.end() }, first + count / 2, count - count / 2, 1 - axis);
+    };
+  std::vector<std::size_t> all(polygons.size());
+  std::iota(all.begin(), all.end(), 0);
+  divide(all, 0, parts, 0);
+  return labels;
+}
+
+Labels LabelScattered(vtkPolyData* surface, int parts)
+{
+  std::mt19937 random(3);
+  Labels labels(static_cast<std::size_t>(surface->GetNumberOfPolys()));
+  std::generate(labels.begin(), labels.end(),
+    [&] { return static_cast<int>(random() % static_cast<unsigned int>(parts)); });
+  return labels;
+}
+
 vtkSmartPointer<vtkPolyData> TakePart(
   vtkPolyData* surface, const Labels& labels, int label, PartIds ids, bool ghosts)
 {

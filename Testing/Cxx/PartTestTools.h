@@ -17,6 +17,11 @@ Labels LabelStrips(vtkPolyData* surface, int parts);
 /// Assigns cells to connected pieces, grown from random cells.
 Labels LabelRandomly(vtkPolyData* surface, int parts, unsigned int seed);
 
+/// Assigns cells to boxes by recursive bisection along x and y in turn; parts differ by one cell.
+Labels LabelBisection(vtkPolyData* surface, int parts);
+/// Assigns each cell to a random piece.
+Labels LabelScattered(vtkPolyData* surface, int parts);
+
 enum class PartIds
 {
   None,

@@ -21,6 +21,7 @@ PAGES = (
     "Filters/Geodesic/Processes.md",
     "Filters/Geodesic/README.md",
     "Filters/Glossary.md",
+    "Filters/Parallel/README.md",
     "Filters/PointCloud/README.md",
     "Filters/Spectral/README.md",
     "Readers/README.md",

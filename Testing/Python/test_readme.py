@@ -88,6 +88,8 @@ class Pages(unittest.TestCase):
             ("Filters/Geodesic/Distances.md", "python"): 1,
             ("Filters/Geodesic/Distances.md", "py"): 1,
             ("Filters/Geodesic/README.md", "python"): 2,
+            ("Filters/Parallel/README.md", "cmake"): 1,
+            ("Filters/Parallel/README.md", "cpp"): 1,
             ("Filters/PointCloud/README.md", "python"): 2,
             ("Filters/Spectral/README.md", "python"): 2,
             ("Readers/README.md", "python"): 2,
@@ -377,6 +379,13 @@ class OtherPages(unittest.TestCase):
             written, read = (vtkdgg.read(os.path.join(FOLDER, name)) for name in (copy, first))
             self.assertEqual(len(written.points), count)
             np.testing.assert_array_equal(written.points[0], read.points[0])
+
+    def test_lines_of_graphs_in_pieces(self):
+        # Built and run by the tests of the install tree.
+        for language, file in (("cpp", "GraphInPieces.cxx"), ("cmake", "CMakeLists.txt")):
+            program = code("Cxx", file)
+            for line in pages.blocks("Filters/Parallel/README.md", language)[0].splitlines():
+                self.assertIn(line.strip(), program)
 
     def test_lines_of_clouds_of_pcl(self):
         # Built and run by the tests of the install tree.

@@ -29,6 +29,7 @@ list(APPEND doc_inputs
   Filters/Geodesic/Input.md
   Filters/Geodesic/Processes.md
   Filters/Glossary.md
+  Filters/Parallel/README.md
   Testing/README.md
   Testing/Benchmark/Differences.md
   Testing/Benchmark/README.md

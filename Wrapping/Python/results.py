@@ -18,7 +18,9 @@ __all__ = ["EarthMovers", "Isoline", "Loop", "PatchBoundary", "Path", "Samples",
 
 GRAPH_ARRAYS = tuple(
     f"DGG.{role}"
-    for role in ("Offsets", "Targets", "Lengths", "Angles", "ArrivalAngles", "Radii", "Info")
+    for role in (
+        "Offsets", "Targets", "Lengths", "Angles", "ArrivalAngles", "Radii", "GhostIds", "Info"
+    )
 )
 WINDOW_ARRAYS = (".WindowOffsets", ".Windows", ".WindowSources", ".WindowInfo")
 

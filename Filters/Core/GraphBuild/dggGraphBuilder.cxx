@@ -4,6 +4,7 @@
 
 #include "dggBlockLoop.h"
 #include "dggCrossingBlocks.h"
+#include "dggDegreeSample.h"
 #include "dggDirectionUnion.h"
 #include "dggGraphAssembly.h"
 #include "dggGraphPruning.h"
@@ -20,6 +21,7 @@
 #include <atomic>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <string>
 #include <type_traits>
@@ -40,12 +42,16 @@ constexpr Id RowsOfFirstWave = 256;
 constexpr double EdgesOfWave = 1 << 19;
 /// Number of blocks of crossings from which on blocks behind the rows are released.
 constexpr std::size_t MostBlocks = 2048;
+/// Rows of a region that are built at once.
+constexpr Id RowsOfRegionWave = 8192;
 /// Rows built for an estimate.
 constexpr Id SampleSize = 128;
 /// Peak memory during assembly, relative to the memory of the graph; measured, with a margin.
 constexpr double PeakOfAssembly = 1.3;
 /// Capacity of the arrays of rows, relative to their contents.
 constexpr double GrowthOfRows = 1.5;
+/// Capacity of the edges of a region with the rows that are made of them, relative to the edges.
+constexpr double GrowthOfEdges = 2.5;
 /// Memory of a thread in bytes, per vertex and per window of a source.
 constexpr double BytesPerVertex = 48.0;
 constexpr double BytesPerWindow = 512.0;
@@ -117,38 +123,13 @@ Status LimitExceeded(const std::string& source, bool canMultiply, const GraphOpt
       "} (now ", isLimited ? JoinText(options.NumberOfNeighbors) : JoinText(options.Accuracy), ")");
 }
 
-/// Statistics of the number of edges found per vertex, from a sample of vertices.
-class DegreeSample
-{
-public:
-  void Add(double degree)
-  {
-    this->Count += 1.0;
-    this->Sum += degree;
-    this->SumOfSquares += degree * degree;
-  }
-  double GetMean() const { return this->Sum / this->Count; }
-  /// Returns an upper bound of the mean over all vertices: three standard errors above the sample
-  /// mean.
-  double GetLargestMean() const
-  {
-    const double mean = this->GetMean();
-    const double variance = std::max(0.0, this->SumOfSquares / this->Count - mean * mean);
-    return mean + 3.0 * std::sqrt(variance / this->Count);
-  }
-
-private:
-  double Count = 0.0;
-  double Sum = 0.0;
-  double SumOfSquares = 0.0;
-};
-
 /// Rows built by one thread.
 struct RowBlock
 {
-  Id LimitExceeded = NoId; ///< first row whose limit was exceeded
-  std::vector<std::size_t> Sizes;
+  Id LimitExceeded = NoId;        ///< first row whose limit was exceeded
+  std::vector<std::size_t> Sizes; ///< number of edges per row; RimReached if unknown
   std::vector<RowEdge> Edges;
+  static constexpr std::size_t RimReached = std::numeric_limits<std::size_t>::max();
 
   void AppendTo(RowStore& rows) const
   {
@@ -160,26 +141,6 @@ struct RowBlock
     }
   }
 };
-
-/// Returns the direction of an edge from a point that is not a vertex, in the frame of its face.
-double DepartureAngle(const SurfaceMesh& mesh, const SurfacePoint& point, const FoundEdge& edge)
-{
-  Id frame = edge.Frame;
-  Point2 direction = edge.Departure;
-  if (SurfaceMesh::Face(frame) != point.Face)
-  {
-    ForEachFaceBehind(mesh, point.HalfEdge, false, [&](Id e, bool isMirrored) {
-      if (frame != point.HalfEdge && SurfaceMesh::Face(e) == SurfaceMesh::Face(frame))
-      {
-        direction = DirectionInFrame(mesh, frame, e, direction);
-        direction = { isMirrored ? direction.X : -direction.X, -direction.Y };
-        frame = point.HalfEdge;
-      }
-    });
-  }
-  direction = DirectionInFrame(mesh, frame, 3 * point.Face, direction);
-  return std::atan2(direction.Y, direction.X);
-}
 }
 
 class GraphBuilder::Implementation
@@ -188,14 +149,41 @@ public:
   Implementation(const SurfaceMesh& mesh, std::size_t windowLimit)
     : Mesh(mesh)
     , GraphWindowLimit(windowLimit)
+    , NumberOfFaces(mesh.GetNumberOfFaces())
     , Table(mesh, ComputePatchOrder(mesh, PatchSize))
     , Crossings(this->Table)
+    , HasBranches(Table.HasBranches())
   {
+  }
+
+  Implementation(const SurfaceMesh& mesh, const GraphRegion& region)
+    : Mesh(mesh)
+    , GraphWindowLimit(DefaultWindowLimit)
+    , NumberOfFaces(region.NumberOfFaces)
+    , Table(mesh, ComputePatchOrder(mesh, PatchSize), region.IsRim)
+    , Crossings(this->Table)
+    , HasBranches(region.HasBranches)
+    , PointIds(region.PointIds)
+    , HasRegion(true)
+  {
+    for (const Id source : region.Sources)
+    {
+      this->Rows.push_back(this->Table.NewVertex(source));
+    }
+    std::sort(this->Rows.begin(), this->Rows.end());
   }
 
   Status Estimate(const GraphOptions& options, GraphEstimate& estimate) const;
   Status Build(
     const GraphOptions& options, GeodesicGraph& graph, GraphStatistics& statistics) const;
+  Status FindEdges(const GraphOptions& options, std::vector<RegionEdge>& edges,
+    std::vector<Id>& unfinished, std::size_t& totalWork) const;
+  Status CheckWork(const GraphOptions& options, std::size_t work) const
+  {
+    return work > ShareOfVertex * this->LimitWindows(options).Work
+      ? this->MeshLimitExceeded(options)
+      : Status::Success();
+  }
   Status Link(const SurfacePoint& point, const GraphOptions& options,
     const std::vector<SurfacePoint>& targets, std::vector<GraphLink>& links,
     std::vector<double>& direct, std::size_t& work) const;
@@ -228,31 +216,48 @@ private:
     GraphStatistics& statistics) const;
   Status VertexLimitExceeded(Id row, const GraphOptions& options) const
   {
+    const Id v = this->Table.OldVertex(row);
     return LimitExceeded(
-      "vertex " + std::to_string(this->Table.OldVertex(row)), this->CanMultiply(), options);
+      JoinText("vertex ", this->PointIds.empty() ? static_cast<Offset>(v) : this->PointIds[v]),
+      this->CanMultiply(), options);
   }
   Status MeshLimitExceeded(const GraphOptions& options) const
   {
     return LimitExceeded("the vertices", this->CanMultiply(), options);
   }
-  bool CanMultiply() const { return this->Table.HasBranches() || this->Table.HasDegenerateFaces(); }
+  bool CanMultiply() const { return this->HasBranches || this->Table.HasDegenerateFaces(); }
+  Id GetNumberOfRows() const
+  {
+    return this->HasRegion ? static_cast<Id>(this->Rows.size()) : this->Table.GetNumberOfVertices();
+  }
+  Id GetRow(Id i) const { return this->HasRegion ? this->Rows[i] : i; }
   WindowLimits LimitWindows(const GraphOptions& options) const;
   bool NeedsWide(const GraphOptions& options) const;
-  /// Builds rows [begin, end).
+  /// Builds the rows with indices [begin, end).
   template <typename Tracer>
   void FillBlock(Tracer& tracer, CrossingBlocks& crossings, Id begin, Id end, std::size_t mostWork,
     std::atomic<std::size_t>& work, RowBlock& block) const;
 
   const SurfaceMesh& Mesh;
   std::size_t GraphWindowLimit;
+  Offset NumberOfFaces; // of the mesh that contains the region
   UnfoldingTable Table;
   mutable CrossingBlocks Crossings; // of links and samples, and of all rows of small meshes
+  bool HasBranches;                 // true if that mesh has edges with more than two faces
+  std::vector<Offset> PointIds;     // per vertex; empty without a region
+  bool HasRegion = false;
+  std::vector<Id> Rows; // rows to build, sorted; all without a region
   mutable WorkspacePool<GraphWindowTracer<ProgressRule>> Linkers;
 };
 
 //------------------------------------------------------------------------------
 GraphBuilder::GraphBuilder(const SurfaceMesh& mesh, std::size_t windowLimit)
   : Internals(std::make_unique<Implementation>(mesh, windowLimit))
+{
+}
+
+GraphBuilder::GraphBuilder(const SurfaceMesh& mesh, const GraphRegion& region)
+  : Internals(std::make_unique<Implementation>(mesh, region))
 {
 }
 
@@ -322,6 +327,17 @@ Status GraphBuilder::Build(
   return status;
 }
 
+Status GraphBuilder::FindEdges(const GraphOptions& options, std::vector<RegionEdge>& edges,
+  std::vector<Id>& unfinished, std::size_t& work) const
+{
+  return this->Internals->FindEdges(options, edges, unfinished, work);
+}
+
+Status GraphBuilder::CheckWork(const GraphOptions& options, std::size_t work) const
+{
+  return this->Internals->CheckWork(options, work);
+}
+
 Status GraphBuilder::Link(const SurfacePoint& point, double accuracy,
   const std::vector<SurfacePoint>& targets, std::vector<GraphLink>& links,
   std::vector<double>& direct, std::size_t* work) const
@@ -350,7 +366,7 @@ WindowLimits GraphBuilder::Implementation::LimitWindows(const GraphOptions& opti
   const double growth = options.Construction == GraphConstruction::SaddleVertexGraph
     ? std::max(1.0, options.NumberOfNeighbors / 50.0)
     : std::pow(0.01 / options.Accuracy, 2.0 / 3.0);
-  const double faces = this->Mesh.GetNumberOfFaces();
+  const auto faces = static_cast<double>(this->NumberOfFaces);
   const double windows =
     growth * (options.Construction == GraphConstruction::Guaranteed ? 1.0 : WindowsOfOtherRules);
   const double fewest = this->CanMultiply() ? SmallestBranchingMesh : SmallestMesh;
@@ -382,7 +398,7 @@ bool GraphBuilder::Implementation::NeedsWide(const GraphOptions& options) const
 Status GraphBuilder::Implementation::Estimate(
   const GraphOptions& options, GraphEstimate& estimate) const
 {
-  const double n = this->Table.GetNumberOfVertices();
+  const double n = this->GetNumberOfRows();
   DegreeSample degrees;
   double windows = 0.0;
   DGG_RETURN_IF_ERROR(this->Table.Check());
@@ -394,7 +410,8 @@ Status GraphBuilder::Implementation::Estimate(
     options, [&](const auto& rule) { return this->SampleRows(rule, options, degrees, windows); }));
   const double bytes = this->NeedsWide(options) ? 20.0 : 16.0;
   const auto unite = [&](double degree) {
-    return n * std::min(degree * UnitedShare(options.Construction), n - 1.0);
+    return n *
+      std::min(degree * UnitedShare(options.Construction), this->Table.GetNumberOfVertices() - 1.0);
   };
   estimate.Edges = unite(degrees.GetMean());
   estimate.Memory = estimate.Edges * bytes + 8.0 * (n + 1.0);
@@ -406,13 +423,16 @@ Status GraphBuilder::Implementation::Estimate(
   const double wave = std::min(out, EdgesOfWave) * 2.0 * sizeof(RowEdge);
   const double graph = unite(degrees.GetLargestMean()) * bytes + 8.0 * (n + 1.0);
   const bool isIndirect = options.Construction == GraphConstruction::Indirect;
-  const double finding = 0.5 * GrowthOfRows * (isIndirect ? 2.0 * out * bytes : graph) + wave;
-  const double tables = BytesOfTablePerVertex * n +
+  const double finding = this->HasRegion
+    ? GrowthOfEdges * out * sizeof(RegionEdge)
+    : 0.5 * GrowthOfRows * (isIndirect ? 2.0 * out * bytes : graph) + wave;
+  const double tables = BytesOfTablePerVertex * this->Table.GetNumberOfVertices() +
     BytesOfTablePerFace * this->Mesh.GetNumberOfFaces() +
     sizeof(CrossingBlock) *
       static_cast<double>(std::min(this->Table.GetNumberOfBlocks(), MostBlocks));
   estimate.Peak = std::max(PeakOfAssembly * graph, finding) + tables +
-    std::max(1, options.NumberOfThreads) * (BytesPerVertex * n + BytesPerWindow * windows);
+    std::max(1, options.NumberOfThreads) *
+      (BytesPerVertex * this->Table.GetNumberOfVertices() + BytesPerWindow * windows);
   return Status::Success();
 }
 
@@ -420,7 +440,7 @@ template <typename Rule>
 Status GraphBuilder::Implementation::SampleRows(
   const Rule& rule, const GraphOptions& options, DegreeSample& degrees, double& windows) const
 {
-  const Id n = this->Table.GetNumberOfVertices();
+  const Id n = this->GetNumberOfRows();
   // The sample is every k-th vertex of an order in which neighbors are close together.
   const Id count = std::min(n, SampleSize);
   const WindowLimits limits = this->LimitWindows(options);
@@ -431,7 +451,7 @@ Status GraphBuilder::Implementation::SampleRows(
     std::min(1.0, LargestShareOfSample * count / n);
   for (Id i = 0; i < count; ++i)
   {
-    const auto row = static_cast<Id>(static_cast<Offset>(n) * i / count);
+    const Id row = this->GetRow(static_cast<Id>(static_cast<Offset>(n) * i / count));
     const std::size_t before = tracer.GetNumberOfWindows();
     degrees.Add(static_cast<double>(tracer.TraceVertex(row).size()));
     windows = std::max(windows, static_cast<double>(tracer.GetNumberOfWindows() - before));
@@ -482,10 +502,7 @@ Status GraphBuilder::Implementation::BuildRows(const Rule& rule, const GraphOpti
         windows += tracer->GetNumberOfWindows() - before;
       }));
     // The work never decreases, so that the outcome does not depend on the number of threads.
-    if (work > mostWork)
-    {
-      return this->MeshLimitExceeded(options);
-    }
+    DGG_RETURN_IF_ERROR(this->CheckWork(options, work));
     for (const RowBlock& block : blocks)
     {
       if (block.LimitExceeded != NoId)
@@ -517,9 +534,15 @@ void GraphBuilder::Implementation::FillBlock(Tracer& tracer, CrossingBlocks& cro
   block.LimitExceeded = NoId;
   block.Sizes.clear();
   block.Edges.clear();
-  for (Id row = begin; row < end && work <= mostWork; ++row)
+  for (Id i = begin; i < end && work <= mostWork; ++i)
   {
+    const Id row = this->GetRow(i);
     const std::vector<FoundEdge>& edges = tracer.TraceVertex(row);
+    if (tracer.HasReachedRim())
+    {
+      block.Sizes.push_back(RowBlock::RimReached);
+      continue;
+    }
     work += tracer.GetWork();
     if (tracer.ExceededLimit())
     {
@@ -534,6 +557,61 @@ void GraphBuilder::Implementation::FillBlock(Tracer& tracer, CrossingBlocks& cro
           this->Table.StoredAngle(edge.Target, edge.ArrivalAngle(crossings)) });
     }
   }
+}
+
+Status GraphBuilder::Implementation::FindEdges(const GraphOptions& options,
+  std::vector<RegionEdge>& edges, std::vector<Id>& unfinished, std::size_t& totalWork) const
+{
+  DGG_RETURN_IF_ERROR(this->Table.Check());
+  const WindowLimits limits = this->LimitWindows(options);
+  std::atomic<std::size_t> work{ totalWork };
+  CrossingBlocks crossings(this->Table);
+  const Id n = this->GetNumberOfRows();
+  for (Id first = 0, last = 0; first < n; first = last)
+  {
+    last = first + std::min(n - first, RowsOfRegionWave);
+    std::vector<RowBlock> blocks(
+      (static_cast<std::size_t>(last - first) + BlockSize - 1) / BlockSize);
+    DGG_RETURN_IF_ERROR(WithRule(options, [&](const auto& rule) {
+      WorkspacePool<GraphWindowTracer<std::decay_t<decltype(rule)>>> tracers;
+      return ForBlocks(
+        last - first, BlockSize, options.Parallel,
+        ProgressPart(
+          options.Progress, static_cast<double>(first) / n, static_cast<double>(last) / n),
+        [&] { return tracers.Borrow(std::ref(crossings), rule, limits); },
+        [&](auto& tracer, Offset b, Offset begin, Offset end) {
+          this->FillBlock(*tracer, crossings, first + static_cast<Id>(begin),
+            first + static_cast<Id>(end), ShareOfVertex * limits.Work, work, blocks[b]);
+        });
+    }));
+    crossings.Trim(MostBlocks);
+    DGG_RETURN_IF_ERROR(this->CheckWork(options, work));
+    Id i = first;
+    for (const RowBlock& block : blocks)
+    {
+      if (block.LimitExceeded != NoId)
+      {
+        return this->VertexLimitExceeded(block.LimitExceeded, options);
+      }
+      const RowEdge* next = block.Edges.data();
+      for (const std::size_t size : block.Sizes)
+      {
+        const Id source = this->Table.OldVertex(this->GetRow(i++));
+        if (size == RowBlock::RimReached)
+        {
+          unfinished.push_back(source);
+          continue;
+        }
+        for (const RowEdge* const end = next + size; next != end; ++next)
+        {
+          edges.push_back({ source, this->Table.OldVertex(next->Target), next->Length,
+            next->Departure, next->Arrival });
+        }
+      }
+    }
+  }
+  totalWork = work;
+  return Status::Success();
 }
 
 Status GraphBuilder::Implementation::Build(

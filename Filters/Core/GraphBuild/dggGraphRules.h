@@ -286,6 +286,14 @@ inline bool IsInside(const std::vector<Relay>& relays, const GraphWindow& window
     Cross(relays[window.Relays[1]].Position, x) > 0.0;
 }
 
+/// Returns true if a window between an apex and a relay is too narrow. Up to the square of the
+/// limit, the points that such windows reach are on the border of neighboring windows.
+inline bool IsNarrow(const Point2& apex, double distance, const Relay& relay)
+{
+  constexpr double narrowest = 1e-12; // sine of the angle, also small for a window of nearly pi
+  return std::abs(Cross(apex, relay.Unit)) <= narrowest * distance && Dot(apex, relay.Unit) > 0.0;
+}
+
 /// Returns true if a point of the window is visible from the outer relay on a side, past the vertex
 /// on the bounding ray.
 inline bool IsVisible(

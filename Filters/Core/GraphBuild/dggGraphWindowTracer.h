@@ -95,6 +95,9 @@ public:
     return this->Edges;
   }
 
+  /// Returns true if windows of the last source have met the rim of a part of a mesh. Otherwise its
+  /// edges are those in the entire mesh.
+  bool HasReachedRim() const { return this->ReachesRim; }
   /// Returns true if the last source was abandoned because its windows multiplied without end.
   bool ExceededLimit() const { return this->HasExceededLimit; }
   std::size_t GetNumberOfWindows() const { return this->NumberOfWindows; }
@@ -112,9 +115,6 @@ private:
   static constexpr std::size_t WorkOfCarefulWindow = 30;
   /// Relative tolerance within which two path lengths are equal.
   static constexpr double LengthTolerance = 1e-12;
-  /// Width below which windows are discarded (sine of the angle). Up to the square of this value,
-  /// the points that such windows reach are on the border of neighboring windows.
-  static constexpr double NarrowestWindow = 1e-12;
   /// Number of additional windows that are allowed once windows propagate labels, relative to the
   /// previous limit.
   static constexpr std::size_t PropagationFactor = 3;
@@ -147,6 +147,7 @@ private:
     this->Source = NoId;
     this->HasOverlap = false;
     this->HasExceededLimit = false;
+    this->ReachesRim = false;
     this->IsCareful = isCareful;
     this->WindowsBefore = this->NumberOfWindows;
     this->PropagatesLabels = false;
@@ -233,6 +234,7 @@ private:
   Id ReachCorner(FoundEdge edge)
   {
     edge.Target = this->Table.NewVertex(this->Mesh.Origin(edge.Arrival));
+    this->ReachesRim = this->ReachesRim || this->Table.IsRim(edge.Target);
     if (edge.Target == this->Source) // on a surface glued of very few faces
     {
       return this->AddRelay(this->GraphRule.MakeRelay(
@@ -268,6 +270,7 @@ private:
   /// Queues a window behind its edge.
   void Enter(Id code, GraphWindow& window)
   {
+    this->ReachesRim = this->ReachesRim || code == UnfoldingTable::RimCode;
     if (!this->IsCareful)
     {
       this->Table.ForEach(code, [&](Id entry) { this->Push(entry, window); });
@@ -552,10 +555,10 @@ private:
 
     const bool goesLeft = face.Behind[FaceCrossing::Left] != NoId &&
       !(Rule::EndsBesideCovered && left.IsCovered) &&
-      !this->IsNarrow(apex, distance, this->Relays[window.Relays[0]]);
+      !IsNarrow(apex, distance, this->Relays[window.Relays[0]]);
     const bool goesRight = face.Behind[FaceCrossing::Right] != NoId &&
       !(Rule::EndsBesideCovered && right.IsCovered) &&
-      !this->IsNarrow(apex, distance, this->Relays[window.Relays[1]]);
+      !IsNarrow(apex, distance, this->Relays[window.Relays[1]]);
     if (!goesLeft && !goesRight)
     {
       return;
@@ -572,13 +575,6 @@ private:
       window.Outer[0] = Rule::KeepsOuterRelays && left.IsCovered ? left.Relay : NoId;
       this->SendOn(window, face, FaceCrossing::Right, apex, relay);
     }
-  }
-
-  static bool IsNarrow(const Point2& apex, double distance, const Relay& relay)
-  {
-    // A window of nearly pi also has a small sine.
-    return std::abs(Cross(apex, relay.Unit)) <= NarrowestWindow * distance &&
-      Dot(apex, relay.Unit) > 0.0;
   }
 
   /// Queues the part of a window on one side of a relay, unless it has ended.
@@ -649,6 +645,7 @@ private:
   /// Lowers the labels of neighbors along mesh edges, also of vertices that no window reaches.
   void ReachNeighbors(Id v, double distance)
   {
+    this->ReachesRim = this->ReachesRim || this->Table.IsRim(v);
     const Id old = this->Table.OldVertex(v);
     for (const Id* g = this->Mesh.FanBegin(old); g != this->Mesh.FanEnd(old); ++g)
     {
@@ -679,6 +676,7 @@ private:
   /// useless, so that labels need not be compared.
   bool HasOverlap = false;
   bool HasExceededLimit = false;
+  bool ReachesRim = false;
   /// True if labels are propagated along the sides of faces: there are many windows.
   bool PropagatesLabels = false;
   Id Source = NoId;

@@ -26,8 +26,8 @@ enum InfoSlot
   SecondSignature,
   VoxelSize,      // bits of the double
   MergeTolerance, // bits of the double
-  Reserved,
-  Checksum, // of the slots above and of the other arrays
+  Piece,          // 1 for the graph of a piece
+  Checksum,       // of the slots above and of the other arrays
   InfoSize
 };
 
@@ -53,7 +53,7 @@ bool IsConstructionOf(std::int64_t construction, GraphKind kind)
 const char* StoredGraph::GetName(int role)
 {
   static constexpr const char* names[NumberOfRoles] = { "DGG.Offsets", "DGG.Targets", "DGG.Lengths",
-    "DGG.Angles", "DGG.ArrivalAngles", "DGG.Radii", "DGG.Info" };
+    "DGG.Angles", "DGG.ArrivalAngles", "DGG.Radii", "DGG.GhostIds", "DGG.Info" };
   return names[role];
 }
 
@@ -63,9 +63,22 @@ bool StoredGraph::IsOfCloud(const StoredArray& info)
     info.GetValues<std::int64_t>()[Kind] == static_cast<std::int64_t>(GraphKind::Cloud);
 }
 
+bool StoredGraph::IsOfPiece(const StoredArray& info)
+{
+  return info.Type == StoredArray::Int64 && info.Size > Piece &&
+    info.GetValues<std::int64_t>()[Piece] != 0;
+}
+
 StoredGraph::StoredGraph(const GraphView& graph, const CloudBand& band)
   : View(graph)
   , Band(band)
+{
+}
+
+StoredGraph::StoredGraph(const GraphView& graph, const GhostVertices& ghosts)
+  : View(graph)
+  , Ghosts(ghosts)
+  , IsPiece(true)
 {
 }
 
@@ -85,6 +98,7 @@ Buffer<std::int64_t> StoredGraph::MakeInfo(
   info[FirstSignature] = CopyBits<std::int64_t>(graph.Surface[0]);
   info[SecondSignature] = CopyBits<std::int64_t>(graph.Surface[1]);
   info[VoxelSize] = CopyBits<std::int64_t>(this->Band.VoxelSize);
+  info[Piece] = this->IsPiece ? 1 : 0;
   info[Checksum] = this->ComputeChecksum(info.Data(), parallel);
   return info;
 }
@@ -99,6 +113,8 @@ bool StoredGraph::HasRole(int role) const
       return !isCloud;
     case Radii:
       return isCloud;
+    case GhostIds:
+      return this->IsPiece;
     default:
       return true;
   }
@@ -121,6 +137,7 @@ Status StoredGraph::Read(
     this->View = GraphView();
     this->BuiltOn = Domain();
     this->Band = CloudBand();
+    this->IsPiece = false;
   }
   return status;
 }
@@ -128,12 +145,11 @@ Status StoredGraph::Read(
 Status StoredGraph::Check(
   const Arrays& arrays, const PreparedSurface& surface, const ParallelFor& parallel)
 {
-  this->View.Info.Kind = IsOfCloud(arrays[Info]) ? GraphKind::Cloud : GraphKind::Mesh;
-  for (int role = 0; role < NumberOfRoles; ++role)
+  DGG_RETURN_IF_ERROR(this->CheckTypes(arrays));
+  if (this->IsPiece)
   {
-    DGG_RETURN_IF_ERROR(this->CheckType(role, arrays[role]));
+    return InvalidInput("The graph {InArrays} is that of a piece of a surface");
   }
-  DGG_RETURN_IF_ERROR(this->ReadInfo(arrays[Info]));
   if ((this->BuiltOn.Kind == Domain::Cloud) != surface.IsCloud())
   {
     return InvalidInput(
@@ -145,6 +161,34 @@ Status StoredGraph::Check(
   const auto* info = arrays[Info].GetValues<std::int64_t>();
   DGG_RETURN_IF_ERROR(this->CheckSurface(surface));
   return this->CheckContents(info, arrays[Targets].Size, parallel);
+}
+
+Status StoredGraph::ReadPiece(
+  const Arrays& arrays, Offset numberOfPoints, const ParallelFor& parallel)
+{
+  *this = StoredGraph();
+  DGG_RETURN_IF_ERROR(this->CheckTypes(arrays));
+  if (!this->IsPiece)
+  {
+    return InvalidInput("The graph {InArrays} is that of an entire surface");
+  }
+  this->Ghosts = { arrays[GhostIds].GetValues<Offset>(), static_cast<Id>(arrays[GhostIds].Size) };
+  DGG_RETURN_IF_ERROR(this->ReadSizes(arrays, numberOfPoints + arrays[GhostIds].Size));
+  this->Refer(arrays);
+  return this->CheckContents(
+    arrays[Info].GetValues<std::int64_t>(), arrays[Targets].Size, parallel);
+}
+
+/// Checks the types of the arrays, and reads Info.
+Status StoredGraph::CheckTypes(const Arrays& arrays)
+{
+  this->View.Info.Kind = IsOfCloud(arrays[Info]) ? GraphKind::Cloud : GraphKind::Mesh;
+  this->IsPiece = IsOfPiece(arrays[Info]);
+  for (int role = 0; role < NumberOfRoles; ++role)
+  {
+    DGG_RETURN_IF_ERROR(this->CheckType(role, arrays[role]));
+  }
+  return this->ReadInfo(arrays[Info]);
 }
 
 Status StoredGraph::CheckType(int role, const StoredArray& array)
@@ -162,6 +206,7 @@ Status StoredGraph::CheckType(int role, const StoredArray& array)
     { StoredArray::Float, StoredArray::Float, "single floats" },
     { StoredArray::Float, StoredArray::Float, "single floats" },
     { StoredArray::Double, StoredArray::Double, "single doubles" },
+    { StoredArray::Int64, StoredArray::Int64, "single 64-bit integers" },
     { StoredArray::Int64, StoredArray::Int64, "single 64-bit integers" },
   };
   if (!this->HasRole(role) || array.Type == expected[role].First ||
@@ -325,6 +370,10 @@ std::int64_t StoredGraph::ComputeChecksum(
   if (this->View.Info.Kind == GraphKind::Cloud)
   {
     hash.Add(this->Band.Radii, static_cast<std::size_t>(this->View.NumberOfVertices));
+  }
+  if (this->IsPiece)
+  {
+    hash.Add(this->Ghosts.Ids, static_cast<std::size_t>(this->Ghosts.Count));
   }
   return CopyBits<std::int64_t>(hash.Finish()[0]);
 }

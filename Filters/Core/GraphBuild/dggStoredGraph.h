@@ -25,8 +25,16 @@ struct CloudBand
   const double* Radii = nullptr; ///< per point
 };
 
-/// A graph of a mesh or a cloud, and the arrays that store it. The contents of the arrays are
-/// documented in vtkDiscreteGeodesicGraph, and for clouds in vtkPointCloudDGG.
+/// Vertices of the graph of a piece that are points of other pieces; they come last.
+struct GhostVertices
+{
+  const Offset* Ids = nullptr; ///< global ids
+  Id Count = 0;
+};
+
+/// A graph of a mesh, of a piece of a mesh or of a cloud, and the arrays that store it. The
+/// contents of the arrays are documented in vtkDiscreteGeodesicGraph, and for clouds in
+/// vtkPointCloudDGG.
 class DGG_CORE_EXPORT StoredGraph
 {
 public:
@@ -38,6 +46,7 @@ public:
     Angles,
     ArrivalAngles,
     Radii,
+    GhostIds,
     Info,
     NumberOfRoles
   };
@@ -47,15 +56,23 @@ public:
   static const char* GetName(int role);
   /// Returns true if `info`, the array Info, belongs to the graph of a cloud.
   static bool IsOfCloud(const StoredArray& info);
+  /// Returns true if `info` belongs to the graph of a piece of a surface.
+  static bool IsOfPiece(const StoredArray& info);
 
   StoredGraph() = default;
+  ///@{
   /// Constructs the object with references to the arrays of a graph that was just built.
   StoredGraph(const GraphView& graph, const CloudBand& band);
+  StoredGraph(const GraphView& graph, const GhostVertices& ghosts);
+  ///@}
 
   /// Reads the arrays of a graph of `surface`, and stores references to them. Checks types, sizes,
   /// format version, ids, the signature of the surface and a checksum. After a failure this graph
   /// is empty.
   Status Read(const Arrays& arrays, const PreparedSurface& surface, const ParallelFor& parallel);
+  /// Reads the arrays of the graph of a piece with this number of points in the same manner, except
+  /// that the caller has to compare the signature.
+  Status ReadPiece(const Arrays& arrays, Offset numberOfPoints, const ParallelFor& parallel);
   /// Reads the parameters of a graph from the array Info alone: GetView().Info and GetDomain().
   Status ReadInfo(const StoredArray& info);
 
@@ -69,12 +86,14 @@ public:
   const Domain& GetDomain() const { return this->BuiltOn; }
   /// Returns the band of a cloud; its pointers are null for a mesh.
   const CloudBand& GetBand() const { return this->Band; }
+  const GhostVertices& GetGhosts() const { return this->Ghosts; }
   /// Returns the defect of arrays that Read() refused as damaged. Empty for arrays that are intact
   /// but belong to another surface or format version.
   const std::string& GetDamage() const { return this->Damage; }
 
 private:
   Status Check(const Arrays& arrays, const PreparedSurface& surface, const ParallelFor& parallel);
+  Status CheckTypes(const Arrays& arrays);
   Status CheckType(int role, const StoredArray& array);
   Status ReadSizes(const Arrays& arrays, Offset numberOfPoints);
   void Refer(const Arrays& arrays);
@@ -88,6 +107,8 @@ private:
   GraphView View;
   Domain BuiltOn;
   CloudBand Band;
+  GhostVertices Ghosts;
+  bool IsPiece = false;
   std::string Damage;
 };
 

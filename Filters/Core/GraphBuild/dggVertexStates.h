@@ -6,6 +6,8 @@
 #define dggVertexStates_h
 
 #include "dggCrossingBlocks.h" // for polar angles
+#include "dggEdges.h"          // for faces behind an edge
+#include "dggSurfacePoint.h"   // for sources that are no vertices
 #include "dggUnfolding.h"      // for Point2
 
 #include <cmath>  // for std::atan2
@@ -38,6 +40,27 @@ struct FoundEdge
     return crossings.PolarAngle(this->Arrival) + (this->IsMirrored ? -turn : turn);
   }
 };
+
+/// Returns the direction of an edge from a point that is not a vertex, in the frame of its face.
+inline double DepartureAngle(
+  const SurfaceMesh& mesh, const SurfacePoint& point, const FoundEdge& edge)
+{
+  Id frame = edge.Frame;
+  Point2 direction = edge.Departure;
+  if (SurfaceMesh::Face(frame) != point.Face)
+  {
+    ForEachFaceBehind(mesh, point.HalfEdge, false, [&](Id e, bool isMirrored) {
+      if (frame != point.HalfEdge && SurfaceMesh::Face(e) == SurfaceMesh::Face(frame))
+      {
+        direction = DirectionInFrame(mesh, frame, e, direction);
+        direction = { isMirrored ? direction.X : -direction.X, -direction.Y };
+        frame = point.HalfEdge;
+      }
+    });
+  }
+  direction = DirectionInFrame(mesh, frame, 3 * point.Face, direction);
+  return std::atan2(direction.Y, direction.X);
+}
 
 /// Vertex states, reused from source to source: Reset() visits touched vertices only.
 class VertexStates

@@ -51,22 +51,22 @@ Status CompleteFromLengths(
 }
 
 Status SurfaceMesh::FromPoints(const double* points, Offset numberOfPoints, const Id* triangles,
-  Offset numberOfTriangles, SurfaceMesh& mesh)
+  Offset numberOfTriangles, SurfaceMesh& mesh, const std::uint8_t* isRim)
 {
   Status status =
-    FromPointsWithoutAngles(points, numberOfPoints, triangles, numberOfTriangles, mesh);
+    FromPointsWithoutAngles(points, numberOfPoints, triangles, numberOfTriangles, mesh, isRim);
   mesh.MeasureAngles();
   return status;
 }
 
 Status SurfaceMesh::FromPointsWithoutAngles(const double* points, Offset numberOfPoints,
-  const Id* triangles, Offset numberOfTriangles, SurfaceMesh& mesh)
+  const Id* triangles, Offset numberOfTriangles, SurfaceMesh& mesh, const std::uint8_t* isRim)
 {
   SurfaceMeshBuilder builder(mesh);
   Status status = builder.TakeTriangles(numberOfPoints, triangles, numberOfTriangles);
   if (status.IsOk())
   {
-    builder.GlueByVertices();
+    builder.GlueByVertices(isRim);
     status = builder.MeasureLengths(points);
   }
   return Complete(builder, status, mesh);

@@ -65,14 +65,17 @@ public:
   /// Builds a mesh from `numberOfPoints` points (x y z each) and `numberOfTriangles` triples of
   /// point ids. Fails, naming the element, if an id is out of range, a coordinate used by a
   /// triangle is not finite, an extent is outside [1e-70, 1e70], or there are more than 2^31 - 1
-  /// half-edges.
+  /// half-edges. `isRim` may flag the vertices (one entry each) at which triangles of a larger mesh
+  /// are missing. Edges between two such vertices are not glued, so that everything at the other
+  /// vertices is as in the larger mesh.
   static Status FromPoints(const double* points, Offset numberOfPoints, const Id* triangles,
-    Offset numberOfTriangles, SurfaceMesh& mesh);
+    Offset numberOfTriangles, SurfaceMesh& mesh, const std::uint8_t* isRim = nullptr);
 
   /// Builds a mesh like FromPoints(), but faster. TotalAngle(), PolarAngle(), Kind() and
   /// IsPassThrough() must not be called before MeasureAngles().
   static Status FromPointsWithoutAngles(const double* points, Offset numberOfPoints,
-    const Id* triangles, Offset numberOfTriangles, SurfaceMesh& mesh);
+    const Id* triangles, Offset numberOfTriangles, SurfaceMesh& mesh,
+    const std::uint8_t* isRim = nullptr);
 
   /// Computes the angles of a mesh built without angles. Other threads may read all other
   /// properties during the call.

@@ -94,7 +94,7 @@ void SurfaceMeshBuilder::GroupByOrigin()
     : MakeGroups(mesh.Origins, mesh.VertexFlags.size());
 }
 
-void SurfaceMeshBuilder::GlueByVertices()
+void SurfaceMeshBuilder::GlueByVertices(const std::uint8_t* isRim)
 {
   this->DropRepeatedVertexFaces();
   this->GroupByOrigin();
@@ -109,8 +109,14 @@ void SurfaceMeshBuilder::GlueByVertices()
       const Id incoming = SurfaceMesh::Previous(outgoing);
       const Id left = mesh.Origin(incoming);
       const Id right = mesh.Destination(outgoing);
-      this->Glue(v, right, outgoing, left);
-      this->Glue(v, left, incoming, right);
+      if (!isRim || !isRim[v] || !isRim[right])
+      {
+        this->Glue(v, right, outgoing, left);
+      }
+      if (!isRim || !isRim[v] || !isRim[left])
+      {
+        this->Glue(v, left, incoming, right);
+      }
     }
   }
   std::vector<LastHalfEdge>().swap(this->LastHalfEdges);

@@ -22,8 +22,8 @@ public:
 
   Status TakeTriangles(Offset numberOfVertices, const Id* triangles, Offset numberOfTriangles);
   /// Links half-edges with equal vertex pairs. Faces that contain a vertex twice and faces with the
-  /// three vertices of an earlier one are ignored.
-  void GlueByVertices();
+  /// three vertices of an earlier one are ignored. `isRim` is documented in SurfaceMesh.
+  void GlueByVertices(const std::uint8_t* isRim = nullptr);
   Status GlueByTwins(const Id* twins);
   Status MeasureLengths(const double* points);
   Status TakeLengths(const double* lengths);

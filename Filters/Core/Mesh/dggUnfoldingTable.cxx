@@ -12,9 +12,11 @@
 
 namespace dgg
 {
-UnfoldingTable::UnfoldingTable(const SurfaceMesh& mesh, std::vector<Id> order)
+UnfoldingTable::UnfoldingTable(
+  const SurfaceMesh& mesh, std::vector<Id> order, const std::vector<std::uint8_t>& isRim)
   : Mesh(mesh)
   , Count(this->Measure())
+  , Rim(isRim)
   , Order(std::move(order))
   , Rank(this->Order.size())
 {
@@ -204,6 +206,19 @@ void UnfoldingTable::ListBranches()
   }
 }
 
+/// Returns true if a face behind `exit` has a vertex on the rim.
+bool UnfoldingTable::LeadsToRim(Id exit) const
+{
+  bool leadsToRim = false;
+  ForEachTwin(this->Mesh, exit, [&](Id h) {
+    for (const Id v : this->Mesh.GetTriangle(SurfaceMesh::Face(h)))
+    {
+      leadsToRim = leadsToRim || this->Rim[v] != 0;
+    }
+  });
+  return leadsToRim;
+}
+
 /// Returns the code of the faces behind `exit`. The edge is left from its face or, if `mirrored`,
 /// from the mirror image of the face. A neighbor of opposite orientation is unfolded as its mirror
 /// image if this face is not.
@@ -213,6 +228,10 @@ Id UnfoldingTable::FindCodeBehind(Id exit, bool mirrored) const
   if (twin == NoId)
   {
     return NoId;
+  }
+  if (!this->Rim.empty() && this->LeadsToRim(exit))
+  {
+    return RimCode;
   }
   if (!this->Mesh.IsNonManifold(exit))
   {

@@ -13,6 +13,7 @@
 #include <array>     // for the entries
 #include <cstddef>   // for std::size_t
 #include <cstdint>   // for the size of blocks
+#include <limits>    // for the code of the rim
 #include <vector>    // for the maps
 
 namespace dgg
@@ -61,9 +62,15 @@ struct CrossingBlock
 class UnfoldingTable
 {
 public:
-  /// Builds the table. `order` lists the vertices of the mesh in their new order. If Check() fails,
-  /// no other function may be called.
-  UnfoldingTable(const SurfaceMesh& mesh, std::vector<Id> order);
+  /// Builds the table. `order` lists the vertices of the mesh in their new order. `isRim`, one flag
+  /// per vertex or empty, is documented in SurfaceMesh::FromPoints(): faces with a vertex on the
+  /// rim cannot be entered, and the code behind their edges is RimCode. If Check() fails, no other
+  /// function may be called.
+  UnfoldingTable(
+    const SurfaceMesh& mesh, std::vector<Id> order, const std::vector<std::uint8_t>& isRim = {});
+
+  /// Code behind an edge whose faces have vertices on the rim.
+  static constexpr Id RimCode = std::numeric_limits<Id>::min();
 
   /// Fails if the mesh is too large. Crossings are indexed by Id, and a mesh that needs mirror
   /// images has two crossings per half-edge.
@@ -86,8 +93,6 @@ public:
   /// Returns the old id of a vertex of the table, or the new id of a vertex of the mesh.
   Id OldVertex(Id v) const { return this->Order[v]; }
   Id NewVertex(Id v) const { return this->Rank[v]; }
-  /// Returns the old ids of all vertices of the table.
-  const std::vector<Id>& GetOrder() const { return this->Order; }
 
   std::size_t GetNumberOfBlocks() const
   {
@@ -109,7 +114,7 @@ public:
     {
       visit(code);
     }
-    else if (code < NoId)
+    else if (code < NoId && code != RimCode)
     {
       // The loop traverses the circular list once, starting at its own position.
       const Id* const own = this->Branches.data() + (FirstBranch - code);
@@ -137,6 +142,8 @@ public:
     return stored > 0.0F ? std::min(stored, last) : 0.0F;
   }
 
+  /// Returns true if a vertex of the table is on the rim.
+  bool IsRim(Id v) const { return !this->Rim.empty() && this->Rim[this->Order[v]] != 0; }
   /// Returns true if edges with more than two faces exist.
   bool HasBranches() const { return !this->Branches.empty(); }
   /// Returns true if mirrored crossings exist as well, because orientations are inconsistent.
@@ -155,13 +162,15 @@ private:
   void FillEntries(Offset first, bool mirrored, CrossingBlock& block) const;
   FaceCrossing MakeCrossing(Id h, bool mirrored) const;
   Id FindCodeBehind(Id exit, bool mirrored) const;
+  bool LeadsToRim(Id exit) const;
   Id Entry(Id h, bool mirrored) const { return this->EntryOf(h) + (mirrored ? this->Mirrors : 0); }
 
   const SurfaceMesh& Mesh;
   Extent Count;
-  std::vector<Id> Order;    // old id of each new vertex
-  std::vector<Id> Rank;     // new id of each old vertex
-  std::vector<Id> FaceRank; // new id of each old face
+  std::vector<std::uint8_t> Rim; // per old vertex; empty if no vertex is on the rim
+  std::vector<Id> Order;         // old id of each new vertex
+  std::vector<Id> Rank;          // new id of each old vertex
+  std::vector<Id> FaceRank;      // new id of each old face
   /// Per block of entries that are not mirrored, the first new vertex at the face of its first
   /// entry.
   std::vector<Id> FirstVertices;

@@ -33,8 +33,11 @@ DGG_CORE_EXPORT std::string DescribeAccuracy(
 /// Returns the error for a cloud without a graph, which only its own filter builds.
 DGG_CORE_EXPORT Status RequireCloudGraph(const std::string& problem);
 
-/// Builds a graph of the surface of `builder`. Fails before the construction if the graph
-/// would take more memory than the limit. `estimate` is the predicted memory.
+/// Predicts the memory of a graph. Fails if the graph would take more memory than the limit.
+Status CheckGraphMemory(const TaskContext& context, const GraphBuilder& builder,
+  const GraphOptions& options, GraphEstimate& estimate);
+
+/// Builds a graph of the surface of `builder` if CheckGraphMemory() succeeds.
 DGG_CORE_EXPORT Status BuildGraph(const TaskContext& context, const GraphBuilder& builder,
   GraphOptions options, GeodesicGraph& graph, GraphEstimate& estimate);
 

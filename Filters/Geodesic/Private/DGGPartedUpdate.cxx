@@ -3,6 +3,8 @@
 #include "DGGPartedUpdate.h"
 
 #include "dggFreeMemory.h"
+#include "dggPieceGraph.h"
+#include "dggPreparedSurface.h"
 #include "dggStatus.h"
 
 #include "vtkCompositeDataIterator.h"
@@ -10,7 +12,10 @@
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkNew.h"
+#include "vtkPointData.h"
 
+#include <algorithm>
+#include <list>
 #include <new>
 #include <numeric>
 
@@ -183,8 +188,92 @@ dgg::Status DGGPartedUpdate::FindParts(const DGGProcesses& processes, vtkIdType 
     {
       port.Joined.Join({}); // creates the joined surface, even if it is not used
     }
+    if (p == 0)
+    {
+      DGG_RETURN_IF_ERROR(processes.Agree(joined));
+      joined = this->JoinGraphs(processes, all);
+    }
   }
   return processes.Agree(joined);
+}
+
+//------------------------------------------------------------------------------
+/// Joins the graphs of pieces, if all parts have one, on the first process.
+dgg::Status DGGPartedUpdate::JoinGraphs(
+  const DGGProcesses& processes, const std::vector<DGGSurfacePart>& all)
+{
+  this->JoinedGraph = dgg::GeodesicGraph();
+  this->Graph.Clear();
+  const std::vector<DGGSurfacePart>& here = this->Ports[0].Parts;
+  const bool isPiece = here.size() == 1 && DGGGraphArrays::AreOfPiece(here[0].Data->GetFieldData());
+  if (processes.AndAll({ isPiece ? 1 : 0 })[0] == 0)
+  {
+    return dgg::Status::Success();
+  }
+  DGGArrayList arrays;
+  vtkNew<vtkFieldData> graph;
+  DGGGraphArrays::Pass(here[0].Data->GetFieldData(), graph);
+  for (int i = 0; i < graph->GetNumberOfArrays(); ++i)
+  {
+    arrays.emplace_back(graph->GetAbstractArray(i));
+  }
+  const std::vector<DGGArrayList> gathered = processes.GatherArrays(arrays);
+  return processes.IsFirst() ? Guard([&] { return this->JoinGraphsHere(gathered, all); })
+                             : dgg::Status::Success();
+}
+
+//------------------------------------------------------------------------------
+/// Joins the graphs of pieces, unless one is damaged or belongs to another surface.
+dgg::Status DGGPartedUpdate::JoinGraphsHere(
+  const std::vector<DGGArrayList>& arrays, const std::vector<DGGSurfacePart>& all)
+{
+  std::vector<dgg::Signature> signatures;
+  std::vector<dgg::StoredPiece> pieces;
+  std::list<DGGGraphArrays> graphs;
+  for (std::size_t p = 0; p < all.size(); ++p)
+  {
+    DGGSurfaceArrays copies(all[p].Data, true, false);
+    signatures.push_back(dgg::ComputeSignature(DGGConvertPart(all[p], copies)));
+    vtkNew<vtkFieldData> data;
+    for (const vtkSmartPointer<vtkAbstractArray>& array : arrays[p])
+    {
+      data->AddArray(array);
+    }
+    std::string complaint;
+    DGGGraphArrays& graph = graphs.emplace_back();
+    if (!graph.FindPiece(data, all[p].Data->GetNumberOfPoints(), {}, complaint))
+    {
+      return dgg::Status::Success(); // the step complains
+    }
+    pieces.push_back(
+      { graph.GetView(), graph.GetGraph().GetGhosts().Ids, &this->Ports[0].Joined.GetPointIds(p) });
+  }
+  const dgg::Signature signature = dgg::SumSignatures(signatures);
+  const bool fits = std::all_of(pieces.begin(), pieces.end(),
+    [&](const dgg::StoredPiece& piece) { return piece.Rows.Info.Surface == signature; });
+  if (!fits)
+  {
+    return dgg::Status::Success();
+  }
+  vtkPolyData* whole = this->Ports[0].Joined.GetWhole();
+  DGGSurfaceArrays copies;
+  return dgg::JoinPieceGraphs(pieces, copies.ConvertIds(whole->GetPointData()->GetGlobalIds()),
+    whole->GetNumberOfPoints(), this->JoinedGraph);
+}
+
+//------------------------------------------------------------------------------
+void DGGPartedUpdate::AddGraph(const DGGContext& context)
+{
+  if (!this->JoinedGraph.Offsets.IsEmpty())
+  {
+    this->JoinedGraph.Info.Surface = context.Surface.GetSignature();
+    this->Graph.Adopt(this->JoinedGraph, context);
+    this->JoinedGraph = dgg::GeodesicGraph();
+  }
+  if (this->Graph.IsValid())
+  {
+    this->Graph.AddTo(context.Input->GetFieldData());
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -303,4 +392,8 @@ void DGGPartedUpdate::Deliver(vtkDataObject* input, vtkDataObject* output)
   vtkDataObject* whole = this->Outputs.empty() ? input : this->Outputs[0].Get();
   output->GetFieldData()->Initialize();
   output->GetFieldData()->PassData(whole->GetFieldData());
+  if (this->Graph.IsIn(output->GetFieldData()))
+  {
+    DGGGraphArrays::Pass(input->GetFieldData(), output->GetFieldData()); // that of the piece
+  }
 }

@@ -5,6 +5,8 @@
 #ifndef DGGPartedUpdate_h
 #define DGGPartedUpdate_h
 
+#include "DGGContext.h"     // for the surface of a graph
+#include "DGGGraphArrays.h" // for the graph of the pieces
 #include "DGGJoinedParts.h" // for the wholes
 #include "DGGProcesses.h"   // for those that have parts
 
@@ -17,7 +19,7 @@
 /// Joins the parts of the inputs (blocks, partitions and pieces of other processes), runs the
 /// computation on the joined surfaces on the first process, and distributes the results to the
 /// parts. Joined surfaces are kept for the next update as long as the parts are unchanged.
-/// A distributed graph would be implemented here, with a step on each process instead of gathering.
+/// If the parts have the graphs of pieces, they are joined, too.
 class DGGPartedUpdate
 {
 public:
@@ -35,6 +37,10 @@ public:
   dgg::Status Run(const DGGProcesses& processes, vtkIdType limit, vtkTypeUInt64 memory,
     vtkInformationVector** inputs, int numberOfInputs, vtkInformationVector* outputs,
     bool passesSurface, const Step& step);
+
+  /// Adds the joined graph of the pieces, if there is one, to the joined surface that is the input
+  /// of the context. Called by the step.
+  void AddGraph(const DGGContext& context);
 
   /// Joins the parts of an input on this process alone.
   static dgg::Status Join(vtkDataObject* input, vtkSmartPointer<vtkPolyData>& whole);
@@ -59,11 +65,16 @@ private:
     const DGGProcesses& processes, vtkTypeUInt64 limit, const std::vector<int>& isSame) const;
   dgg::Status Compute(vtkInformationVector** inputs, vtkInformationVector* outputs,
     bool passesSurface, const Step& step);
+  dgg::Status JoinGraphs(const DGGProcesses& processes, const std::vector<DGGSurfacePart>& all);
+  dgg::Status JoinGraphsHere(
+    const std::vector<DGGArrayList>& arrays, const std::vector<DGGSurfacePart>& all);
   void Deliver(vtkDataObject* input, vtkDataObject* output);
 
   std::vector<Port> Ports;
   DGGProcesses Processes{ nullptr }; // processes of the last update
   vtkIdType Others = 0;
+  dgg::GeodesicGraph JoinedGraph;                      // until AddGraph()
+  DGGGraphArrays Graph;                                // joined graph, on the first process
   std::vector<vtkSmartPointer<vtkDataObject>> Outputs; // outputs of the step
   std::vector<DGGPartResult> Results;                  // results of the parts, for output 0
 };

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DGGProcesses.h"
 
+#include "DGGDistributor.h"
+
+#include "dggProcessGroup.h"
 #include "dggStatus.h"
 
 #include "vtkCellData.h"
@@ -298,4 +301,43 @@ void DGGProcesses::Scatter(
     }
   }
   results.resize(counts[0]);
+}
+
+//------------------------------------------------------------------------------
+bool DGGProcesses::FindGroup(bool canJoin, dgg::ProcessGroup& group) const
+{
+  const DGGDistributor* distributor = DGGDistributor::Get();
+  const bool isSupported =
+    distributor && this->Controller && distributor->Supports(this->Controller);
+  if (this->AndAll({ canJoin && isSupported ? 1 : 0 })[0] == 0 || !isSupported)
+  {
+    return false;
+  }
+  group.Here = this->Controller->GetLocalProcessId();
+  group.Count = this->Controller->GetNumberOfProcesses();
+  group.Exchange = [distributor, controller = this->Controller](
+                     std::vector<dgg::Message>& messages) {
+    distributor->Exchange(controller, messages);
+  };
+  group.Agree = [*this](const dgg::Status& status) { return this->Agree(status); };
+  return true;
+}
+
+//------------------------------------------------------------------------------
+std::vector<DGGArrayList> DGGProcesses::GatherArrays(const DGGArrayList& arrays) const
+{
+  std::vector<DGGArrayList> all{ arrays };
+  if (!this->IsFirst())
+  {
+    DGGChangedArrays sent;
+    sent.Added = arrays;
+    SendArrays(this->Controller, sent, First);
+    return all;
+  }
+  const int processes = this->Controller ? this->Controller->GetNumberOfProcesses() : 1;
+  for (int process = 1; process < processes; ++process)
+  {
+    all.push_back(ReceiveArrays(this->Controller, process).Added);
+  }
+  return all;
 }

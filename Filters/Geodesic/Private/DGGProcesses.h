@@ -11,6 +11,12 @@
 #include <vector>  // for parts and results
 
 class vtkMultiProcessController;
+namespace dgg
+{
+struct ProcessGroup;
+}
+
+using DGGArrayList = std::vector<vtkSmartPointer<vtkAbstractArray>>;
 
 /// Processes that have parts of a surface. All of them must call the same functions in the same
 /// order. Without a controller this is the only process.
@@ -32,6 +38,10 @@ public:
   /// Returns, item by item, true if the item is true on all processes.
   std::vector<int> AndAll(const std::vector<int>& holds) const;
 
+  /// Gets the processes as a group that exchanges messages. Returns false on all processes if they
+  /// cannot, or if `canJoin` is false on one of them.
+  bool FindGroup(bool canJoin, dgg::ProcessGroup& group) const;
+
   /// Appends the parts of the other processes on the first process, process by process, with the
   /// number of parts of each. Fails there if a part arrives damaged; the remaining parts are
   /// received nevertheless.
@@ -39,6 +49,9 @@ public:
   /// Sends the results of all parts from the first process to the processes of the parts; the
   /// inverse of Gather().
   void Scatter(const std::vector<std::size_t>& counts, std::vector<DGGPartResult>& results) const;
+
+  /// Gathers arrays, one list per process, on the first process.
+  std::vector<DGGArrayList> GatherArrays(const DGGArrayList& arrays) const;
 
 private:
   vtkMultiProcessController* Controller;

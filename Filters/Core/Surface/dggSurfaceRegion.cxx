@@ -1,0 +1,466 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "dggSurfaceRegion.h"
+
+#include "dggCapSplitting.h"
+#include "dggPolygonTriangulator.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <tuple>
+#include <utility>
+
+namespace dgg
+{
+namespace
+{
+constexpr int Polygons = 2; // kinds of cells, see NumberOfCellKinds
+constexpr int Strips = 3;
+
+/// Margin of the slack of faces that no process treats as degenerate: the largest tolerance of
+/// SplitCaps(), which exceeds that of SurfaceMesh, with a margin.
+constexpr double SlackMargin = 4.0 * DegeneracySlack;
+/// Lengths in this range, and sums of as many of them as there are faces, are floats.
+constexpr double ShortestLength = 1e-25;
+constexpr double LongestPath = 1e37;
+
+/// Copy of a point that a process has sent.
+struct SentPoint
+{
+  Offset Id;
+  int Process;
+  std::array<double, 3> Position;
+
+  bool operator<(const SentPoint& other) const
+  {
+    return std::tie(this->Id, this->Process) < std::tie(other.Id, other.Process);
+  }
+};
+
+/// Returns the process that compares all copies of an element.
+std::size_t GetRegistrar(const ProcessGroup& group, Offset id)
+{
+  return static_cast<std::uint64_t>(id) % static_cast<std::uint64_t>(group.Count);
+}
+
+/// Returns the difference between the sum of two edges of a face and the third edge, without loss
+/// of accuracy.
+double GetSlack(const SurfaceMesh& mesh, Id face)
+{
+  std::array<double, 3> lengths{ mesh.Length(3 * face), mesh.Length(3 * face + 1),
+    mesh.Length(3 * face + 2) };
+  std::sort(lengths.begin(), lengths.end());
+  return lengths[0] - (lengths[2] - lengths[1]);
+}
+
+/// Returns true if the piece has what a region needs.
+bool IsValid(const SurfacePiece& piece)
+{
+  return piece.Check().IsOk() && piece.Cells[Strips].NumberOfCells == 0 &&
+    (piece.PointIds || piece.NumberOfPoints == 0) &&
+    (piece.CellIds || piece.GetNumberOfCells() == 0) &&
+    std::all_of(piece.Points, piece.Points + 3 * piece.NumberOfPoints,
+      [](double coordinate) { return std::isfinite(coordinate); });
+}
+
+template <typename T>
+void AppendTo(std::vector<T>& all, const std::vector<T>& more)
+{
+  all.insert(all.end(), more.begin(), more.end());
+}
+}
+
+Status SurfaceRegion::Start(const ProcessGroup& group, const SurfacePiece& piece, bool& isUsable)
+{
+  *this = SurfaceRegion();
+  this->Piece = &piece;
+  bool isValid = false;
+  DGG_RETURN_IF_ERROR(group.Run([&] {
+    isValid = IsValid(piece) && this->AddPiece();
+    this->IsSent.assign(static_cast<std::size_t>(group.Count),
+      std::vector<bool>(static_cast<std::size_t>(piece.Cells[Polygons].NumberOfCells)));
+    this->IsPointSent.assign(static_cast<std::size_t>(group.Count),
+      std::vector<bool>(static_cast<std::size_t>(piece.NumberOfPoints)));
+    return Status::Success();
+  }));
+  isUsable = group.Holds(isValid);
+  if (!isUsable)
+  {
+    return Status::Success();
+  }
+  bool isUnique = false;
+  this->FindHolders(group, isUnique);
+  isUsable = group.Holds(isUnique);
+  for (Id point = 0; point < this->GetNumberOfPoints(); ++point)
+  {
+    this->AddToRim(point, group.Here);
+  }
+  return Status::Success();
+}
+
+/// Adds the points and polygons of the piece. Returns false if two points have the same id.
+bool SurfaceRegion::AddPiece()
+{
+  for (Offset i = 0; i < this->Piece->NumberOfPoints; ++i)
+  {
+    if (this->AddPoint(this->Piece->PointIds[i], this->Piece->Points + 3 * i, {}) != i)
+    {
+      return false;
+    }
+  }
+  const CellArrays& polygons = this->Piece->Cells[Polygons];
+  const Offset first = this->Piece->Cells[0].NumberOfCells + this->Piece->Cells[1].NumberOfCells;
+  std::vector<Id> cellOfCorners;
+  for (Offset i = 0; i < polygons.NumberOfCells; ++i)
+  {
+    const auto size = static_cast<std::size_t>(polygons.End(i) - polygons.Begin(i));
+    this->Cells.push_back({ this->Piece->CellIds[first + i], this->Corners.size(), size });
+    this->Corners.insert(this->Corners.end(), polygons.Begin(i), polygons.End(i));
+    cellOfCorners.insert(cellOfCorners.end(), size, static_cast<Id>(i));
+  }
+  this->NumberOfOwnCells = this->Cells.size();
+  this->CellsOfPoints = MakeGroups(this->Corners, this->PointIds.size());
+  for (Id& member : this->CellsOfPoints.Members)
+  {
+    member = cellOfCorners[member];
+  }
+  return true;
+}
+
+/// Finds the processes that use the points of the piece. Every id is registered at one process,
+/// which compares its copies.
+void SurfaceRegion::FindHolders(const ProcessGroup& group, bool& isUnique)
+{
+  const auto count = static_cast<std::size_t>(group.Count);
+  std::vector<std::vector<Offset>> ids(count);
+  std::vector<std::vector<double>> positions(count);
+  std::vector<std::vector<Offset>> cells(count);
+  for (std::size_t i = 0; i < this->PointIds.size(); ++i)
+  {
+    const std::size_t process = GetRegistrar(group, this->PointIds[i]);
+    ids[process].push_back(this->PointIds[i]);
+    positions[process].insert(positions[process].end(), this->Positions.begin() + 3 * i,
+      this->Positions.begin() + 3 * i + 3);
+  }
+  for (const Cell& cell : this->Cells)
+  {
+    cells[GetRegistrar(group, cell.GlobalId)].push_back(cell.GlobalId);
+  }
+  std::vector<Message> messages(count);
+  for (std::size_t process = 0; process < count; ++process)
+  {
+    Append(messages[process], ids[process]);
+    Append(messages[process], positions[process]);
+    Append(messages[process], cells[process]);
+  }
+  group.Exchange(messages);
+
+  std::vector<SentPoint> points;
+  std::vector<Offset> allCells;
+  for (int process = 0; process < group.Count; ++process)
+  {
+    MessageReader reader(messages[process]);
+    const std::vector<Offset> sent = reader.Take<Offset>();
+    const std::vector<double> at = reader.Take<double>();
+    for (std::size_t i = 0; i < sent.size(); ++i)
+    {
+      points.push_back({ sent[i], process, { at[3 * i], at[3 * i + 1], at[3 * i + 2] } });
+    }
+    AppendTo(allCells, reader.Take<Offset>());
+    messages[process].clear();
+  }
+  std::sort(allCells.begin(), allCells.end());
+  isUnique = std::adjacent_find(allCells.begin(), allCells.end()) == allCells.end();
+  std::sort(points.begin(), points.end());
+  std::vector<std::vector<Offset>> shared(count); // id, number of processes, processes
+  for (auto begin = points.begin(); begin != points.end();)
+  {
+    auto end = begin + 1;
+    for (; end != points.end() && end->Id == begin->Id; ++end)
+    {
+      isUnique = isUnique && end->Position == begin->Position;
+    }
+    for (auto to = begin; to != end && end - begin > 1; ++to)
+    {
+      shared[to->Process].insert(shared[to->Process].end(), { begin->Id, end - begin });
+      std::for_each(
+        begin, end, [&](const SentPoint& copy) { shared[to->Process].push_back(copy.Process); });
+    }
+    begin = end;
+  }
+  for (std::size_t process = 0; process < count; ++process)
+  {
+    Append(messages[process], shared[process]);
+  }
+  group.Exchange(messages);
+  for (const Message& message : messages)
+  {
+    const std::vector<Offset> list = MessageReader(message).Take<Offset>();
+    for (std::size_t i = 0; i < list.size(); i += 2 + static_cast<std::size_t>(list[i + 1]))
+    {
+      const auto begin = list.begin() + static_cast<std::ptrdiff_t>(i) + 2;
+      this->Holders[this->Points.at(list[i])].assign(begin, begin + list[i + 1]);
+    }
+  }
+}
+
+Id SurfaceRegion::AddVertex(Offset globalId)
+{
+  constexpr double nowhere[3] = { 0.0, 0.0, 0.0 };
+  return this->AddPoint(globalId, nowhere, {});
+}
+
+/// Adds a point unless it is in the region already. Returns its index.
+Id SurfaceRegion::AddPoint(Offset globalId, const double* position, std::vector<int> holders)
+{
+  const auto added = this->Points.emplace(globalId, this->GetNumberOfPoints());
+  if (added.second)
+  {
+    this->PointIds.push_back(globalId);
+    this->Positions.insert(this->Positions.end(), position, position + 3);
+    this->Holders.push_back(std::move(holders));
+  }
+  return added.first->second;
+}
+
+/// Completes a new point; if other processes have cells at the point, it is on the rim.
+void SurfaceRegion::AddToRim(Id point, int here)
+{
+  std::vector<int>& holders = this->Holders[point];
+  if (holders.empty())
+  {
+    holders.push_back(here);
+  }
+  if (holders.size() > 1 || holders.front() != here)
+  {
+    this->Rim.push_back(point);
+  }
+}
+
+Status SurfaceRegion::Grow(const ProcessGroup& group, int layers, bool isNeeded)
+{
+  const auto count = static_cast<std::size_t>(group.Count);
+  for (int layer = 0; layer < layers; ++layer)
+  {
+    std::vector<Message> messages(count);
+    DGG_RETURN_IF_ERROR(group.Run([&] {
+      std::vector<std::vector<Offset>> requested(count);
+      for (const Id point : this->Rim)
+      {
+        for (const int process : this->Holders[point])
+        {
+          if (isNeeded && process != group.Here)
+          {
+            requested[process].push_back(this->PointIds[point]);
+          }
+        }
+      }
+      for (std::size_t process = 0; process < count; ++process)
+      {
+        Append(messages[process], requested[process]);
+      }
+      return Status::Success();
+    }));
+    group.Exchange(messages);
+    DGG_RETURN_IF_ERROR(group.Run([&] {
+      for (std::size_t process = 0; process < count; ++process)
+      {
+        const std::vector<Offset> requested = MessageReader(messages[process]).Take<Offset>();
+        messages[process].clear();
+        this->Answer(process, requested, messages[process]);
+      }
+      return Status::Success();
+    }));
+    group.Exchange(messages);
+    DGG_RETURN_IF_ERROR(group.Run([&] {
+      if (isNeeded)
+      {
+        this->Rim.clear();
+      }
+      for (const Message& message : messages)
+      {
+        this->AddCells(message, group.Here);
+      }
+      return Status::Success();
+    }));
+  }
+  return Status::Success();
+}
+
+/// Sends a process the polygons of the piece at the requested points, each polygon and point once.
+void SurfaceRegion::Answer(
+  std::size_t process, const std::vector<Offset>& requested, Message& answer)
+{
+  std::vector<Offset> cellIds;
+  std::vector<Offset> sizes;
+  std::vector<Offset> corners;
+  std::vector<Offset> pointIds;
+  std::vector<double> positions;
+  std::vector<int> holders; // their number, then they
+  for (const Offset id : requested)
+  {
+    const Id point = this->Points.at(id);
+    const auto end = this->CellsOfPoints.Begins[point + 1];
+    for (Offset i = this->CellsOfPoints.Begins[point]; i < end; ++i)
+    {
+      const Id c = this->CellsOfPoints.Members[i];
+      if (this->IsSent[process][c])
+      {
+        continue;
+      }
+      this->IsSent[process][c] = true;
+      const Cell& cell = this->Cells[c];
+      cellIds.push_back(cell.GlobalId);
+      sizes.push_back(static_cast<Offset>(cell.Size));
+      for (std::size_t k = cell.Begin; k < cell.Begin + cell.Size; ++k)
+      {
+        const Id corner = this->Corners[k];
+        corners.push_back(this->PointIds[corner]);
+        if (!this->IsPointSent[process][corner])
+        {
+          this->IsPointSent[process][corner] = true;
+          pointIds.push_back(this->PointIds[corner]);
+          const double* const at = this->Positions.data() + 3 * static_cast<Offset>(corner);
+          positions.insert(positions.end(), at, at + 3);
+          holders.push_back(static_cast<int>(this->Holders[corner].size()));
+          AppendTo(holders, this->Holders[corner]);
+        }
+      }
+    }
+  }
+  Append(answer, cellIds);
+  Append(answer, sizes);
+  Append(answer, corners);
+  Append(answer, pointIds);
+  Append(answer, positions);
+  Append(answer, holders);
+}
+
+/// Adds the cells and points of an answer.
+void SurfaceRegion::AddCells(const Message& message, int here)
+{
+  MessageReader reader(message);
+  const auto cellIds = reader.Take<Offset>();
+  const auto sizes = reader.Take<Offset>();
+  const auto corners = reader.Take<Offset>();
+  const auto pointIds = reader.Take<Offset>();
+  const auto positions = reader.Take<double>();
+  const auto holders = reader.Take<int>();
+  auto next = holders.begin();
+  for (std::size_t i = 0; i < pointIds.size(); ++i)
+  {
+    const auto end = next + 1 + *next;
+    const Id before = this->GetNumberOfPoints();
+    const Id point =
+      this->AddPoint(pointIds[i], positions.data() + 3 * i, std::vector<int>(next + 1, end));
+    if (point == before)
+    {
+      this->AddToRim(point, here);
+    }
+    next = end;
+  }
+  auto corner = corners.begin();
+  for (std::size_t i = 0; i < cellIds.size(); ++i)
+  {
+    this->Cells.push_back({ cellIds[i], this->Corners.size(), static_cast<std::size_t>(sizes[i]) });
+    for (const auto end = corner + sizes[i]; corner != end; ++corner)
+    {
+      this->Corners.push_back(this->Points.at(*corner));
+    }
+  }
+}
+
+std::vector<Id> SurfaceRegion::GetOrder() const
+{
+  std::vector<Id> order(this->PointIds.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::sort(order.begin(), order.end(),
+    [this](Id a, Id b) { return this->PointIds[a] < this->PointIds[b]; });
+  return order;
+}
+
+Status SurfaceRegion::MakeMesh(const ProcessGroup& group, SurfaceMesh& mesh,
+  std::vector<std::uint8_t>& isRim, SurfaceFacts& facts) const
+{
+  SurfaceFacts here;
+  DGG_RETURN_IF_ERROR(group.Run([&] {
+    here = this->MakeHere(mesh, isRim);
+    return Status::Success();
+  }));
+  facts = SurfaceFacts();
+  for (const SurfaceFacts& part : group.Share(here))
+  {
+    facts.IsRegular = facts.IsRegular && part.IsRegular;
+    facts.HasBranches = facts.HasBranches || part.HasBranches;
+    facts.NumberOfFaces += part.NumberOfFaces;
+    facts.LongestEdge = std::max(facts.LongestEdge, part.LongestEdge);
+    facts.ShortestEdge = std::min(facts.ShortestEdge, part.ShortestEdge);
+    facts.SmallestSlack = std::min(facts.SmallestSlack, part.SmallestSlack);
+  }
+  facts.IsRegular = facts.IsRegular && facts.NumberOfFaces > 0 &&
+    facts.SmallestSlack >= SlackMargin * facts.LongestEdge &&
+    facts.ShortestEdge >= ShortestLength &&
+    facts.LongestEdge * static_cast<double>(facts.NumberOfFaces) <= LongestPath;
+  return Status::Success();
+}
+
+/// Makes the mesh and returns the facts of the region, with the faces of the piece alone.
+SurfaceFacts SurfaceRegion::MakeHere(SurfaceMesh& mesh, std::vector<std::uint8_t>& isRim) const
+{
+  const std::vector<Id> order = this->GetOrder();
+  std::vector<Id> rank(order.size());
+  std::vector<double> positions(3 * order.size());
+  for (std::size_t i = 0; i < order.size(); ++i)
+  {
+    rank[order[i]] = static_cast<Id>(i);
+    std::copy_n(this->Positions.begin() + 3 * static_cast<Offset>(order[i]), 3,
+      positions.begin() + 3 * static_cast<Offset>(i));
+  }
+  isRim.assign(this->Rim.empty() ? 0 : order.size(), 0);
+  for (const Id point : this->Rim)
+  {
+    isRim[rank[point]] = 1;
+  }
+  std::vector<std::size_t> cells(this->Cells.size());
+  std::iota(cells.begin(), cells.end(), 0);
+  std::sort(cells.begin(), cells.end(), [this](std::size_t a, std::size_t b) {
+    return this->Cells[a].GlobalId < this->Cells[b].GlobalId;
+  });
+  SurfaceFacts facts;
+  PolygonTriangulator triangulator(positions.data());
+  std::vector<Id> triangles;
+  std::vector<Id> corners;
+  for (const std::size_t c : cells)
+  {
+    const Cell& cell = this->Cells[c];
+    corners.clear();
+    for (std::size_t k = cell.Begin; k < cell.Begin + cell.Size; ++k)
+    {
+      corners.push_back(rank[this->Corners[k]]);
+    }
+    const Id added = triangulator.Triangulate(corners, triangles);
+    facts.NumberOfFaces += c < this->NumberOfOwnCells ? added : 0;
+  }
+  facts.IsRegular =
+    SurfaceMesh::FromPoints(positions.data(), static_cast<Offset>(order.size()), triangles.data(),
+      static_cast<Offset>(triangles.size() / 3), mesh, isRim.empty() ? nullptr : isRim.data())
+      .IsOk();
+  for (Id h = 0; h < mesh.GetNumberOfHalfEdges() && facts.IsRegular; ++h)
+  {
+    if (mesh.IsDropped(SurfaceMesh::Face(h)))
+    {
+      continue;
+    }
+    const Id twin = mesh.Twin(h);
+    const bool isBranch = mesh.IsNonManifold(h);
+    facts.HasBranches = facts.HasBranches || isBranch;
+    facts.IsRegular = !mesh.IsFlipped(SurfaceMesh::Face(h)) &&
+      (isBranch || twin == NoId || mesh.Origin(twin) == mesh.Destination(h));
+    facts.LongestEdge = std::max(facts.LongestEdge, mesh.Length(h));
+    facts.ShortestEdge = std::min(facts.ShortestEdge, mesh.Length(h));
+    facts.SmallestSlack = std::min(facts.SmallestSlack, GetSlack(mesh, SurfaceMesh::Face(h)));
+  }
+  return facts;
+}
+}

@@ -1,0 +1,98 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// A piece of a surface with layers of cells of other processes around it. Internal.
+#ifndef dggSurfaceRegion_h
+#define dggSurfaceRegion_h
+
+#include "dggCoreExport.h"    // for DGG_CORE_EXPORT
+#include "dggGroups.h"        // for the cells of points
+#include "dggProcessGroup.h"  // for messages
+#include "dggSurfaceMesh.h"   // for the mesh
+#include "dggSurfacePieces.h" // for the piece
+
+#include <cstdint>       // for flags
+#include <unordered_map> // for ids
+#include <vector>        // for points and cells
+
+namespace dgg
+{
+/// Properties of the surface that all pieces form. They do not depend on the division.
+struct SurfaceFacts
+{
+  bool IsRegular = true; ///< no degenerate face, and the same orientation everywhere
+  bool HasBranches = false;
+  Offset NumberOfFaces = 0;
+  double LongestEdge = 0.0;
+  double ShortestEdge = Infinity;
+  /// Smallest difference between the sum of two edges of a face and the third edge.
+  double SmallestSlack = Infinity;
+};
+
+/// The piece of a surface that this process has, and cells of other processes around it. A point
+/// that several pieces use belongs to one of their processes, which its id selects, so that the
+/// points of interlaced pieces are distributed evenly.
+class DGG_CORE_EXPORT SurfaceRegion
+{
+public:
+  /// Starts with a piece without ghosts, which must outlive the region. `isUsable` becomes false
+  /// on all processes if the pieces must be gathered: if a global id is missing or occurs twice, if
+  /// the copies of a point differ, or if a piece has strips or is not valid.
+  Status Start(const ProcessGroup& group, const SurfacePiece& piece, bool& isUsable);
+
+  /// Adds layers of cells. Processes that need none only send theirs.
+  Status Grow(const ProcessGroup& group, int layers, bool isNeeded);
+
+  /// Makes the mesh of the region; its vertices and faces are in the order of global ids. `facts`
+  /// are those of the whole surface. `isRim` receives the flags of SurfaceMesh::FromPoints().
+  Status MakeMesh(const ProcessGroup& group, SurfaceMesh& mesh, std::vector<std::uint8_t>& isRim,
+    SurfaceFacts& facts) const;
+
+  ///@{
+  /// Points of the region; those of the piece come first.
+  Id GetNumberOfPoints() const { return static_cast<Id>(this->PointIds.size()); }
+  Offset GetPointId(Id point) const { return this->PointIds[point]; }
+  int GetOwner(Id point) const
+  {
+    const std::vector<int>& holders = this->Holders[point];
+    return holders[static_cast<std::uint64_t>(this->PointIds[point]) % holders.size()];
+  }
+  ///@}
+  /// Returns the point with a global id. Adds a point without cells if there is none, after which
+  /// the region must not grow.
+  Id AddVertex(Offset globalId);
+  /// Returns the points of the region in the order of the vertices of the mesh.
+  std::vector<Id> GetOrder() const;
+
+private:
+  struct Cell
+  {
+    Offset GlobalId;
+    std::size_t Begin; // into Corners
+    std::size_t Size;
+  };
+
+  bool AddPiece();
+  void FindHolders(const ProcessGroup& group, bool& isUnique);
+  Id AddPoint(Offset globalId, const double* position, std::vector<int> holders);
+  void AddToRim(Id point, int here);
+  void Answer(std::size_t process, const std::vector<Offset>& requested, Message& answer);
+  void AddCells(const Message& message, int here);
+  SurfaceFacts MakeHere(SurfaceMesh& mesh, std::vector<std::uint8_t>& isRim) const;
+
+  const SurfacePiece* Piece = nullptr;
+  std::vector<Offset> PointIds;
+  std::vector<double> Positions;
+  std::vector<std::vector<int>> Holders; // per point, the processes with cells at it, sorted
+  std::vector<Id> Rim;                   // points with cells that are not here
+  std::unordered_map<Offset, Id> Points; // by global id
+  std::vector<Cell> Cells;
+  std::vector<Id> Corners;
+  std::size_t NumberOfOwnCells = 0;
+  Groups CellsOfPoints;                       // of the piece
+  std::vector<std::vector<bool>> IsSent;      // per process and cell of the piece
+  std::vector<std::vector<bool>> IsPointSent; // per process and point of the piece
+};
+}
+
+#endif

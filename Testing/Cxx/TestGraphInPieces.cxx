@@ -1,0 +1,371 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Graphs that several processes build together. Run under mpiexec; a single process is valid, too.
+#include "SeveralProcessesFixture.h"
+
+#include "vtkDGGDistance.h"
+#include "vtkDiscreteGeodesicGraph.h"
+
+#include "vtkFieldData.h"
+#include "vtkXMLPolyDataReader.h"
+#include "vtkXMLPolyDataWriter.h"
+
+using namespace dggtest;
+
+namespace
+{
+/// Values of an array in field data; empty if there is no such array.
+std::vector<double> GetValues(vtkPolyData* data, const char* name)
+{
+  std::vector<double> values;
+  vtkDataArray* array = data->GetFieldData()->GetArray(name);
+  for (vtkIdType i = 0; array && i < array->GetNumberOfTuples(); ++i)
+  {
+    values.push_back(array->GetComponent(i, 0));
+  }
+  return values;
+}
+
+struct Division
+{
+  const char* Name;
+  Labels (*Label)(vtkPolyData* surface, int parts);
+};
+
+/// Assigns cells to connected pieces, and the components without a seed to the first one.
+Labels LabelConnected(vtkPolyData* surface, int parts)
+{
+  Labels labels = LabelRandomly(surface, parts, 5);
+  std::replace(labels.begin(), labels.end(), -1, 0);
+  return labels;
+}
+
+/// Assigns cells to strips; the last of more than two pieces is empty.
+Labels LabelStripsButOne(vtkPolyData* surface, int parts)
+{
+  return LabelStrips(surface, parts > 2 ? parts - 1 : parts);
+}
+
+const Division divisions[] = { { "Strips", LabelStrips }, { "Bisection", LabelBisection },
+  { "Connected", LabelConnected }, { "Scattered", LabelScattered },
+  { "OneIsEmpty", LabelStripsButOne } };
+
+struct Case
+{
+  const char* Name;
+  vtkSmartPointer<vtkPolyData> (*Make)();
+  double Accuracy;
+};
+
+vtkSmartPointer<vtkPolyData> MakeTwoComponents()
+{
+  return Beside(MakeTerrain(24), MakeCube(), 3.0);
+}
+
+/// Three bumpy sheets that share a row of points; its edges have three triangles.
+vtkSmartPointer<vtkPolyData> MakePages()
+{
+  constexpr int n = 12;
+  Points points;
+  Cells cells;
+  for (int page = 0; page < 3; ++page)
+  {
+    const double turn = 2.0 * vtkMath::Pi() * page / 3.0;
+    const auto getId = [&](int i, int j) {
+      return static_cast<vtkIdType>(j == 0 ? i : n + (page * (n - 1) + j - 1) * n + i);
+    };
+    for (int j = page == 0 ? 0 : 1; j < n; ++j)
+    {
+      for (int i = 0; i < n; ++i)
+      {
+        const double out = j + 0.2 * std::sin(1.7 * i + j + page);
+        points.push_back({ { static_cast<double>(i) + 0.1 * std::cos(1.3 * i),
+          j == 0 ? 0.0 : out * std::cos(turn), j == 0 ? 0.0 : out * std::sin(turn) } });
+      }
+    }
+    for (int j = 0; j + 1 < n; ++j)
+    {
+      for (int i = 0; i + 1 < n; ++i)
+      {
+        cells.push_back({ getId(i, j), getId(i + 1, j), getId(i, j + 1) });
+        cells.push_back({ getId(i + 1, j), getId(i + 1, j + 1), getId(i, j + 1) });
+      }
+    }
+  }
+  return MakeSurface(points, cells);
+}
+
+const Case cases[] = { { "Terrain", [] { return MakeTerrain(32); }, 0.05 },
+  { "TwoComponents", MakeTwoComponents, 0.02 }, { "Pages", MakePages, 0.05 },
+  { "Quads", [] { return MakeGrid(30, 20, GridCells::Quads); }, 0.1 },
+  { "DoubleLengths", [] { return MakeTerrain(10); }, 5e-6 } };
+
+class PieceGraph : public SeveralProcesses
+{
+protected:
+  void SetUp() override
+  {
+    if (this->Count == 1)
+    {
+      GTEST_SKIP() << "the test needs several processes";
+    }
+  }
+
+  vtkIdType Sum(vtkIdType here) const
+  {
+    vtkIdType sum = 0;
+    this->Controller->AllReduce(&here, &sum, 1, vtkCommunicator::SUM_OP);
+    return sum;
+  }
+
+  /// Expects that the rows of a piece are rows of a graph, bit by bit, and that each row is in one
+  /// piece.
+  void ExpectRows(vtkPolyData* piece, vtkPolyData* whole) const
+  {
+    const auto offsets = GetValues(piece, "DGG.Offsets");
+    const auto targets = GetValues(piece, "DGG.Targets");
+    const auto ghosts = GetValues(piece, "DGG.GhostIds");
+    const auto all = GetValues(whole, "DGG.Offsets");
+    const auto allTargets = GetValues(whole, "DGG.Targets");
+    const vtkIdType n = piece->GetNumberOfPoints();
+    ASSERT_EQ(offsets.size(), n + ghosts.size() + 1);
+    vtkDataArray* ids = piece->GetPointData()->GetArray("Whole");
+    const auto getId = [&](double target) {
+      const auto v = static_cast<vtkIdType>(target);
+      return v < n ? ids->GetComponent(v, 0) : ghosts[v - n];
+    };
+    for (vtkIdType i = 0; i < n; ++i)
+    {
+      const auto id = static_cast<std::size_t>(getId(static_cast<double>(i)));
+      const auto begin = static_cast<std::size_t>(offsets[i]);
+      const auto size = static_cast<std::size_t>(offsets[i + 1]) - begin;
+      if (size == 0)
+      {
+        continue; // the row belongs to another piece
+      }
+      const auto to = static_cast<std::size_t>(all[id]);
+      ASSERT_EQ(size, static_cast<std::size_t>(all[id + 1]) - to) << "point " << id;
+      for (std::size_t e = 0; e < size; ++e)
+      {
+        ASSERT_EQ(getId(targets[begin + e]), allTargets[to + e]) << "point " << id;
+      }
+      for (const char* name : { "DGG.Lengths", "DGG.Angles", "DGG.ArrivalAngles" })
+      {
+        const auto values = GetValues(piece, name);
+        const auto expected = GetValues(whole, name);
+        ASSERT_TRUE(
+          std::equal(values.begin() + begin, values.begin() + begin + size, expected.begin() + to))
+          << name << " of point " << id;
+      }
+    }
+    EXPECT_EQ(
+      this->Sum(static_cast<vtkIdType>(targets.size())), static_cast<vtkIdType>(allTargets.size()));
+  }
+};
+
+class GraphInPieces
+  : public PieceGraph
+  , public testing::WithParamInterface<std::tuple<Division, Case>>
+{
+protected:
+  const Case& GetCase() const { return std::get<1>(this->GetParam()); }
+
+  vtkSmartPointer<vtkPolyData> TakePiece(vtkPolyData* surface, bool ghosts) const
+  {
+    const Labels labels = std::get<0>(this->GetParam()).Label(surface, this->Count);
+    return TakePart(surface, labels, this->Here, PartIds::Global, ghosts);
+  }
+};
+}
+
+//------------------------------------------------------------------------------
+/// Rows, and distances along them, are those of a single process, bit by bit.
+TEST_P(GraphInPieces, RowsAndDistancesAreTheSame)
+{
+  const auto surface = this->GetCase().Make();
+  const auto prepare = [&](auto* graph) { graph->SetAccuracy(this->GetCase().Accuracy); };
+  const auto alone = Alone<vtkDiscreteGeodesicGraph>(surface, prepare);
+  const auto piece = this->TakePiece(surface, this->Count % 2 == 0);
+  const auto graph = this->Together<vtkDiscreteGeodesicGraph>(piece, prepare);
+  this->ExpectRows(graph->GetOutput(), alone->GetOutput());
+
+  const auto search = [&](auto* filter) {
+    filter->SetSourceIds({ 5, 60 });
+    filter->SetUnreachedValue(-1.0);
+    filter->GenerateNearestSourceOn();
+  };
+  const auto expected = Alone<vtkDGGDistance>(alone->GetOutput(), search);
+  vtkNew<vtkDGGDistance> distance;
+  distance->SetInputData(graph->GetOutput());
+  search(distance.Get());
+  this->Update(distance);
+  ExpectArray(distance->GetOutput(), expected->GetOutput(), "GeodesicDistance", 0.0);
+  ExpectArray(distance->GetOutput(), expected->GetOutput(), "GeodesicSource", 0.0);
+  EXPECT_EQ(distance->GetGraphBuildTime(), 0u); // the graph of the pieces is used
+  this->ExpectRows(distance->GetOutput(), alone->GetOutput());
+}
+
+INSTANTIATE_TEST_SUITE_P(Divisions, GraphInPieces,
+  testing::Combine(testing::ValuesIn(divisions), testing::ValuesIn(cases)),
+  [](const testing::TestParamInfo<GraphInPieces::ParamType>& tested) {
+    return std::string(std::get<0>(tested.param).Name) + std::get<1>(tested.param).Name;
+  });
+
+//------------------------------------------------------------------------------
+/// The other rules, and polygons with more than three corners in pieces with ghosts.
+TEST_F(PieceGraph, OtherRules)
+{
+  const auto surface = MakeGrid(24, 10, GridCells::Quads);
+  MovePoints(surface, [](double* p) { p[2] = GetTerrainHeight(0.03 * p[0], 0.07 * p[1]); });
+  for (const int rule :
+    { vtkDiscreteGeodesicGraph::OneRelay, vtkDiscreteGeodesicGraph::SaddleVertexGraph })
+  {
+    const auto prepare = [&](auto* graph) {
+      graph->SetConstruction(rule);
+      graph->SetAccuracy(0.1);
+      graph->SetNumberOfNeighbors(12);
+    };
+    const auto alone = Alone<vtkDiscreteGeodesicGraph>(surface, prepare);
+    const auto piece =
+      TakePart(surface, LabelBisection(surface, this->Count), this->Here, PartIds::Global, true);
+    const auto graph = this->Together<vtkDiscreteGeodesicGraph>(piece, prepare);
+    this->ExpectRows(graph->GetOutput(), alone->GetOutput());
+  }
+}
+
+//------------------------------------------------------------------------------
+/// What has no distributed form is gathered, and gives the graph of one process on the first
+/// process, which a second filter passes on.
+TEST_F(PieceGraph, GathersWhatHasNoDistributedForm)
+{
+  const auto plain = MakeTerrain(12);
+  const auto turned = MakeTerrain(12); // one triangle has another orientation
+  vtkNew<vtkIdList> corners;
+  turned->GetPolys()->GetCellAtId(50, corners);
+  const vtkIdType reversed[3] = { corners->GetId(0), corners->GetId(2), corners->GetId(1) };
+  turned->GetPolys()->ReplaceCellAtId(50, 3, reversed);
+  const auto flat = MakeTerrain(12); // a triangle has no area
+  double p[3];
+  flat->GetPoint(40, p);
+  flat->GetPoints()->SetPoint(41, p);
+  using Graph = vtkDiscreteGeodesicGraph;
+  const std::vector<std::pair<vtkPolyData*, std::function<void(Graph*)>>> gathered = {
+    { turned, [](Graph*) {} }, { flat, [](Graph*) {} },
+    { plain, [](Graph* graph) { graph->SetConstructionToIndirect(); } },
+    { plain, [](Graph* graph) { graph->GenerateGraphLinesOn(); } }
+  };
+  for (const auto& [surface, prepare] : gathered)
+  {
+    const auto setUp = [&prepare = prepare](Graph* graph) {
+      graph->SetAccuracy(0.1);
+      prepare(graph);
+    };
+    const auto alone = Alone<Graph>(surface, setUp);
+    vtkNew<Graph> graph;
+    graph->SetInputData(this->TakeStrip(surface, PartIds::Global));
+    setUp(graph);
+    this->Update(graph);
+    for (const char* name : { "DGG.Offsets", "DGG.Targets", "DGG.Lengths", "DGG.Angles" })
+    {
+      EXPECT_EQ(GetValues(graph->GetOutput(), name),
+        this->IsFirst() ? GetValues(alone->GetOutput(), name) : std::vector<double>());
+    }
+    vtkNew<Graph> next;
+    next->SetInputData(graph->GetOutput());
+    next->SetAccuracy(0.1);
+    next->SetConstruction(graph->GetConstruction());
+    this->Update(next);
+    EXPECT_EQ(next->GetGraphBuildTime(), 0u);
+  }
+}
+
+//------------------------------------------------------------------------------
+/// The graph of pieces can be written and read, and is passed on if nothing has changed. After a
+/// change on one process, all of them build it again.
+TEST_F(PieceGraph, IsWrittenAndRead)
+{
+  const auto prepare = [](auto* graph) { graph->SetAccuracy(0.1); };
+  const auto graph = this->Together<vtkDiscreteGeodesicGraph>(
+    this->TakeStrip(this->Surface, PartIds::Global), prepare);
+  const vtkMTimeType built = graph->GetGraphBuildTime();
+  graph->Modified();
+  this->Update(graph);
+  EXPECT_EQ(graph->GetGraphBuildTime(), built);
+
+  const std::string file = std::string(DGG_TEST_OUTPUT) + "/GraphInPieces" +
+    std::to_string(this->Count) + "_" + std::to_string(this->Here) + ".vtp";
+  vtkNew<vtkXMLPolyDataWriter> writer;
+  writer->SetFileName(file.c_str());
+  writer->SetInputData(graph->GetOutput());
+  writer->Write();
+  vtkNew<vtkXMLPolyDataReader> reader;
+  reader->SetFileName(file.c_str());
+  reader->Update();
+  vtkPolyData* read = reader->GetOutput();
+  const auto again = this->Together<vtkDiscreteGeodesicGraph>(read, prepare);
+  EXPECT_EQ(again->GetGraphBuildTime(), 0u);
+  EXPECT_EQ(again->GetNumberOfGraphEdges(), graph->GetNumberOfGraphEdges());
+  const auto search = [](auto* filter) { filter->SetSourceIds({ 5 }); };
+  const auto expected = this->Together<vtkDGGDistance>(graph->GetOutput(), search);
+  const auto distance = this->Together<vtkDGGDistance>(read, search);
+  EXPECT_EQ(distance->GetUsedInputGraph(), this->IsFirst());
+  EXPECT_EQ(GetDistances(distance), GetDistances(expected));
+
+  // One process has another surface than the graph.
+  vtkNew<vtkPolyData> moved;
+  moved->DeepCopy(read);
+  if (this->IsFirst())
+  {
+    MovePoints(moved, [](double* p) { p[2] += p[0] == 0.0 ? 0.1 : 0.0; });
+  }
+  vtkNew<vtkDiscreteGeodesicGraph> other;
+  prepare(other.Get());
+  other->SetInputData(moved);
+  const Listener listener(other);
+  this->Update(other);
+  EXPECT_GT(other->GetGraphBuildTime(), 0u);
+  ASSERT_EQ(listener.Warnings.size(), 1u);
+  EXPECT_NE(listener.Warnings[0].find("out of date"), std::string::npos) << listener.Warnings[0];
+}
+
+//------------------------------------------------------------------------------
+/// An error, exhausted memory or an abort of one process ends the update of all processes.
+TEST_F(PieceGraph, ErrorsOfOneProcess)
+{
+  const auto part = this->TakeStrip(this->Surface, PartIds::Global);
+  const bool isLast = this->Here == this->Count - 1;
+  vtkNew<vtkDiscreteGeodesicGraph> graph;
+  graph->SetInputData(part);
+  const auto expectError = [&](const char* text) {
+    const Listener listener(graph);
+    this->Update(graph);
+    ASSERT_EQ(listener.Errors.size(), 1u);
+    EXPECT_NE(listener.Errors[0].find(text), std::string::npos) << listener.Errors[0];
+    ExpectEmptyOutput(graph);
+  };
+  graph->SetAccuracy(isLast ? 2.0 : 0.01);
+  expectError("Accuracy is 2");
+  graph->SetAccuracy(0.01);
+  graph->SetMemoryLimit(isLast ? 1000 : 0);
+  expectError("more than the limit of 1000 bytes");
+  graph->SetMemoryLimit(0);
+  vtkNew<vtkPolyData> bad;
+  bad->DeepCopy(part);
+  if (isLast)
+  {
+    const vtkIdType cell[3] = { 0, 1, 1000000 };
+    bad->GetPolys()->InsertNextCell(3, cell);
+  }
+  graph->SetInputData(bad);
+  expectError("1000000");
+  graph->SetInputData(part);
+  ProgressWatch watch(graph);
+  watch.StopAt = isLast ? 0.3 : 2.0;
+  this->Update(graph);
+  EXPECT_EQ(graph->GetErrorCode(), static_cast<unsigned long>(vtkErrorCode::NoError));
+  EXPECT_EQ(graph->GetOutput()->GetNumberOfPoints(), 0);
+  watch.StopAt = 2.0;
+  this->Update(graph);
+  EXPECT_GT(graph->GetNumberOfGraphEdges(), 0);
+}
