@@ -52,8 +52,6 @@ public:
   void Trim(std::size_t most);
 
 private:
-  using Pointer = std::unique_ptr<CrossingBlock>;
-
   // Unsigned, for which divisions are shifts.
   static std::uint32_t IndexOf(Id entry)
   {
@@ -72,9 +70,11 @@ private:
 
   const UnfoldingTable& Table;
   std::vector<std::atomic<const CrossingBlock*>> Blocks;
-  std::mutex Mutex;                                    // of the lists
-  std::vector<std::pair<std::size_t, Pointer>> Filled; // with their indices, oldest first
-  std::vector<Pointer> Idle;
+  std::mutex Mutex; // of the members below
+  std::vector<std::unique_ptr<CrossingBlock[]>> Memory;
+  std::size_t Capacity = 0; // blocks in Memory
+  std::vector<CrossingBlock*> Idle;
+  std::vector<std::pair<std::size_t, CrossingBlock*>> Filled; // with their indices, oldest first
 };
 }
 
