@@ -115,8 +115,7 @@ private:
   static constexpr std::size_t WorkOfCarefulWindow = 30;
   /// Relative tolerance within which two path lengths are equal.
   static constexpr double LengthTolerance = 1e-12;
-  /// Number of additional windows that are allowed once windows propagate labels, relative to the
-  /// previous limit.
+  /// Additional windows once windows propagate labels, relative to the previous limit.
   static constexpr std::size_t PropagationFactor = 3;
 
   template <typename Starter>
@@ -276,6 +275,8 @@ private:
       this->Table.ForEach(code, [&](Id entry) { this->Push(entry, window); });
       return;
     }
+    const Relay& left = this->Relays[window.Relays[0]];
+    const Relay& right = this->Relays[window.Relays[1]];
     this->Table.ForEach(code, [&](Id entry) {
       const FaceCrossing& face = this->Crossings[entry];
       const Id h = face.GetHalfEdge();
@@ -283,7 +284,7 @@ private:
       copy.Number = this->Memory.Admit(
         { h, face.IsMirrored(), this->Table.NewVertex(this->Mesh.Origin(h)),
           this->Table.NewVertex(this->Mesh.Destination(h)), this->Behind, this->BehindAt },
-        this->Relays[window.Relays[0]], this->Relays[window.Relays[1]], window);
+        left, right, window);
       if (copy.Number != NoId)
       {
         this->Push(entry, copy);
