@@ -22,10 +22,11 @@ namespace dgg
 ///   barycentric coordinate of j. The path through the corner, d_k plus the length of the straight
 ///   line from k, is raised in the same manner; its prediction at j is too small if the values are
 ///   not distances. The estimate of corner k is the smaller of the two, or the path through k if
-///   M_k is undefined. The distance in the face is the minimum over the three corners. This method
-///   reproduces arcs and ridges, and interpolates the given values at the corners. On an edge the
-///   distance is the minimum over all reached faces of the edge, which may be less than the
-///   distance in one of the faces, since the wavefront may arrive through any of them.
+///   M_k is undefined. The distance in the face is the minimum over the three corners, but at least
+///   d_j minus the length of the straight line from j, because a raised M_k may grow too fast. This
+///   method reproduces arcs and ridges, and interpolates the given values at the corners. On an
+///   edge the distance is the minimum over all reached faces of the edge, which may be less than
+///   the distance in one of the faces, since the wavefront may arrive through any of them.
 /// - Without windows and virtual sources, the distance is linear; it is also linear in faces
 ///   without a corner that has a model.
 struct DistanceField

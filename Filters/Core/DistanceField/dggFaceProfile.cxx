@@ -19,8 +19,10 @@ constexpr double WindowSlack = 1e-9;
 /// Relative deficit below which a model is exact.
 constexpr double Rounding = 1e-13;
 
-/// Index of the first candidate of models, after the paths through three corners.
+/// Indices of the first candidate of models, after the paths through three corners, and of the
+/// first lower bound.
 constexpr Id FirstImageCandidate = 3;
+constexpr Id LeastCandidate = 9;
 
 double LargestOf(const std::array<double, 3>& values)
 {
@@ -197,6 +199,18 @@ void FaceProfile::SetUpModels()
       this->Missing[k][j] = missing > this->Negligible ? missing : 0.0;
       this->IsRaised[k] = this->IsRaised[k] || this->Missing[k][j] > 0.0;
     }
+  }
+  double raise = 0.0;
+  double excess = 0.0; // largest excess of differences between corners over their distance
+  for (int k = 0; k < 3; ++k)
+  {
+    raise = std::max(raise, LargestOf(this->Missing[k]));
+    excess = std::max(excess, LargestOf(this->MissingOver[k]));
+  }
+  this->HasLowerBounds = raise > this->Negligible;
+  for (int k = 0; k < 3; ++k)
+  {
+    this->LowerBounds[k] = this->Distances[k] - excess;
   }
 }
 
@@ -439,6 +453,16 @@ FaceProfile::Wave FaceProfile::FindNearest(
       best = wave;
     }
   }
+  double bound = best.Distance + this->Negligible; // not at corners, where the value is given
+  for (int k = 0; k < 3 && this->HasLowerBounds; ++k)
+  {
+    const double atCorner = this->LowerBounds[k] - Distance(p, this->Corners[k]);
+    if (atCorner > bound)
+    {
+      bound = best.Distance = atCorner;
+      best.Candidate = LeastCandidate + k;
+    }
+  }
   return best;
 }
 
@@ -452,11 +476,29 @@ FieldSample FaceProfile::FromModels(const Point2& p) const
 {
   const std::array<double, 3> b = this->BarycentricOf(p);
   const Wave nearest = this->FindNearest(p, b);
-  return nearest.Candidate == NoId ? FieldSample() : this->SampleOf(nearest, p, b);
+  return nearest.Candidate == NoId ? FieldSample()
+    : nearest.Candidate >= LeastCandidate
+    ? this->FromLowerBound(nearest.Candidate - LeastCandidate, p)
+    : this->SampleOf(nearest, p, b);
+}
+
+FieldSample FaceProfile::FromLowerBound(int k, const Point2& p) const
+{
+  const Point2 way = Difference(this->Corners[k], p);
+  const double length = Norm(way.X, way.Y);
+  FieldSample sample;
+  sample.Distance = this->LowerBounds[k] - length;
+  sample.Gradient = { way.X / length, way.Y / length };
+  sample.Candidate = LeastCandidate + k;
+  return sample;
 }
 
 FieldSample FaceProfile::SampleOfCandidate(Id candidate, const Point2& p) const
 {
+  if (candidate >= LeastCandidate)
+  {
+    return this->FromLowerBound(candidate - LeastCandidate, p);
+  }
   Wave wave;
   wave.Candidate = candidate;
   wave.IsOverCorner = candidate < FirstImageCandidate;

@@ -110,6 +110,7 @@ private:
   Wave FindNearest(const Point2& p, const std::array<double, 3>& barycentric) const;
   FieldSample SampleOf(const Wave& wave, const Point2& p, const std::array<double, 3>& b) const;
   FieldSample FromModels(const Point2& p) const;
+  FieldSample FromLowerBound(int k, const Point2& p) const;
   FieldSample Linear(const Point2& p) const;
   Id SourceOf(Id root) const;
 
@@ -128,9 +129,12 @@ private:
   std::array<std::array<double, 3>, 3>
     Missing{}; // deficit of the model of corner [k] at corner [j]
   std::array<std::array<double, 3>, 3>
-    MissingOver{};         // deficit of the path through corner [k] at corner [j]
+    MissingOver{}; // deficit of the path through corner [k] at corner [j]
+  std::array<double, 3> LowerBounds{ { 0.0, 0.0,
+    0.0 } };               // lower bounds of the distance at the corners
   double Negligible = 0.0; // threshold for deficits
   bool HasModels = false;
+  bool HasLowerBounds = false;
 };
 }
 
