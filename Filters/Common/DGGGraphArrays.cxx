@@ -145,14 +145,15 @@ bool DGGGraphArrays::AreOfCloud(vtkFieldData* data)
 //------------------------------------------------------------------------------
 bool DGGGraphArrays::AreOfPiece(vtkFieldData* data)
 {
-  return StoredGraph::IsOfPiece(
-    DGGViewArray(data->GetAbstractArray(StoredGraph::GetName(StoredGraph::Info))));
+  return data &&
+    StoredGraph::IsOfPiece(
+      DGGViewArray(data->GetAbstractArray(StoredGraph::GetName(StoredGraph::Info))));
 }
 
 //------------------------------------------------------------------------------
 bool DGGGraphArrays::AreOfWhole(vtkFieldData* data)
 {
-  return data->HasArray(StoredGraph::GetName(StoredGraph::Info)) && !AreOfPiece(data);
+  return data && data->HasArray(StoredGraph::GetName(StoredGraph::Info)) && !AreOfPiece(data);
 }
 
 //------------------------------------------------------------------------------

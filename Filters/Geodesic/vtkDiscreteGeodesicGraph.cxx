@@ -38,7 +38,11 @@ public:
   void ForgetResults() override;
   dgg::Status Execute(const DGGContext& context, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
-  bool CanDistribute() const override { return !this->Self->GenerateGraphLines; }
+  bool CanDistribute() const override
+  {
+    return !this->Self->GenerateGraphLines &&
+      this->MakeOptions().Construction != dgg::GraphConstruction::Indirect;
+  }
   dgg::Status ExecutePiece(const DGGContext& context, const dgg::ProcessGroup& group,
     const dgg::SurfacePiece& piece, vtkInformationVector* outputVector, bool& isDone) override;
   bool PassesSurface() const override { return true; }
@@ -54,6 +58,7 @@ public:
   dgg::GraphSummary Current; // graph of the last update
   std::string InputGraphDamage;
   dgg::GraphEstimate Estimate;
+  dgg::Signature BuiltPiece{}; // piece of which Built has rows
   vtkTimeStamp BuildTime;
 
 private:
@@ -258,8 +263,13 @@ dgg::Status vtkDiscreteGeodesicGraph::vtkInternals::ExecutePiece(const DGGContex
   {
     return dgg::Status::Success();
   }
-  const dgg::GraphOptions options = this->MakeOptions();
-  const dgg::Signature signature = dgg::SumSignatures(group.Share(dgg::ComputeSignature(piece)));
+  // The properties of the first process count.
+  dgg::GraphOptions options = this->MakeOptions();
+  options.Construction = group.Share(options.Construction).front();
+  options.Accuracy = group.Share(options.Accuracy).front();
+  options.NumberOfNeighbors = group.Share(options.NumberOfNeighbors).front();
+  const dgg::Signature ofPiece = dgg::ComputeSignature(piece);
+  const dgg::Signature signature = dgg::SumSignatures(group.Share(ofPiece));
   std::string complaint;
   bool isFound = this->OnInput.FindPiece(
     context.Input->GetFieldData(), piece.NumberOfPoints, context.Parallel, complaint);
@@ -278,8 +288,8 @@ dgg::Status vtkDiscreteGeodesicGraph::vtkInternals::ExecutePiece(const DGGContex
   // All processes use the same graph.
   const bool isOnInput =
     group.Holds(isFound && dgg::IsBuiltWith(this->OnInput.GetView().Info, options));
-  const bool isKept = group.Holds(
-    this->Built.IsValid() && built.Surface == signature && dgg::IsBuiltWith(built, options));
+  const bool isKept = group.Holds(this->Built.IsValid() && this->BuiltPiece == ofPiece &&
+    built.Surface == signature && dgg::IsBuiltWith(built, options));
   if (!isOnInput && !isKept)
   {
     this->Built.Clear();
@@ -291,6 +301,7 @@ dgg::Status vtkDiscreteGeodesicGraph::vtkInternals::ExecutePiece(const DGGContex
       return dgg::Status::Success();
     }
     this->Built.Adopt(graph, context);
+    this->BuiltPiece = ofPiece;
     this->BuildTime.Modified();
   }
   const DGGGraphArrays& graph = isOnInput ? this->OnInput : this->Built;

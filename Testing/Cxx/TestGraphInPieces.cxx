@@ -330,6 +330,70 @@ TEST_F(PieceGraph, IsWrittenAndRead)
 }
 
 //------------------------------------------------------------------------------
+/// If properties differ, those of the first process count. A graph is not kept for another piece.
+TEST_F(PieceGraph, PropertiesAndPiecesThatDiffer)
+{
+  const auto prepare = [](auto* graph) { graph->SetAccuracy(0.1); };
+  const auto alone = Alone<vtkDiscreteGeodesicGraph>(this->Surface, prepare);
+  vtkNew<vtkDiscreteGeodesicGraph> graph;
+  graph->SetAccuracy(this->IsFirst() ? 0.1 : 0.5);
+  const Labels labels = LabelStrips(this->Surface, this->Count);
+  for (const int shift : { 0, 1 })
+  {
+    graph->SetInputData(
+      TakePart(this->Surface, labels, (this->Here + shift) % this->Count, PartIds::Global, false));
+    this->Update(graph);
+    this->ExpectRows(graph->GetOutput(), alone->GetOutput());
+  }
+  if (!this->IsFirst())
+  {
+    graph->SetConstructionToIndirect();
+  }
+  graph->Modified();
+  this->Update(graph); // gathers
+  EXPECT_EQ(graph->GetNumberOfGraphEdges(), this->IsFirst() ? alone->GetNumberOfGraphEdges() : 0);
+}
+
+//------------------------------------------------------------------------------
+/// A filter that merges points does not use a graph without merged points.
+TEST_F(PieceGraph, OfPointsThatAreMerged)
+{
+  Points points;
+  Cells cells;
+  for (int sheet = 0; sheet < 2; ++sheet) // with the points of one side twice
+  {
+    const auto getId = [&](
+                         int i, int j) { return static_cast<vtkIdType>(100 * sheet + 10 * j + i); };
+    for (int j = 0; j < 10; ++j)
+    {
+      for (int i = 0; i < 10; ++i)
+      {
+        points.push_back({ { i + 9.0 * sheet, static_cast<double>(j), 0.0 } });
+        if (i < 9 && j < 9)
+        {
+          cells.push_back({ getId(i, j), getId(i + 1, j), getId(i, j + 1) });
+          cells.push_back({ getId(i + 1, j), getId(i + 1, j + 1), getId(i, j + 1) });
+        }
+      }
+    }
+  }
+  const auto surface = MakeSurface(points, cells);
+  const auto graph = this->Together<vtkDiscreteGeodesicGraph>(
+    this->TakeStrip(surface, PartIds::Global), [](auto* filter) { filter->SetAccuracy(0.1); });
+  const auto search = [](auto* filter) {
+    filter->SetSourceIds({ 0 });
+    filter->MergeCoincidentPointsOn();
+  };
+  vtkNew<vtkDGGDistance> distance;
+  distance->SetInputData(graph->GetOutput());
+  search(distance.Get());
+  this->Update(distance);
+  EXPECT_FALSE(distance->GetUsedInputGraph());
+  ExpectArray(distance->GetOutput(), Alone<vtkDGGDistance>(surface, search)->GetOutput(),
+    "GeodesicDistance", 0.0);
+}
+
+//------------------------------------------------------------------------------
 /// An error, exhausted memory or an abort of one process ends the update of all processes.
 TEST_F(PieceGraph, ErrorsOfOneProcess)
 {

@@ -101,33 +101,39 @@ public:
   }
 
   /// Sends edges to the owners of their targets, and adds the edges from other processes.
-  void ExchangeEdges()
+  Status ExchangeEdges()
   {
-    std::vector<std::vector<SentEdge>> sent(static_cast<std::size_t>(this->Group.Count));
-    for (const RegionEdge& edge : this->Edges)
-    {
-      const int owner = this->Region.GetOwner(edge.Target);
-      if (owner != this->Group.Here)
+    std::vector<Message> messages(static_cast<std::size_t>(this->Group.Count));
+    DGG_RETURN_IF_ERROR(this->Group.Run([&] {
+      std::vector<std::vector<SentEdge>> sent(messages.size());
+      for (const RegionEdge& edge : this->Edges)
       {
-        sent[owner].push_back({ this->Region.GetPointId(edge.Source),
-          this->Region.GetPointId(edge.Target), edge.Length, edge.Departure, edge.Arrival });
+        const int owner = this->Region.GetOwner(edge.Target);
+        if (owner != this->Group.Here)
+        {
+          sent[owner].push_back({ this->Region.GetPointId(edge.Source),
+            this->Region.GetPointId(edge.Target), edge.Length, edge.Departure, edge.Arrival });
+        }
       }
-    }
-    std::vector<Message> messages(sent.size());
-    for (std::size_t process = 0; process < sent.size(); ++process)
-    {
-      Append(messages[process], sent[process]);
-      std::vector<SentEdge>().swap(sent[process]);
-    }
+      for (std::size_t process = 0; process < sent.size(); ++process)
+      {
+        Append(messages[process], sent[process]);
+        std::vector<SentEdge>().swap(sent[process]);
+      }
+      return Status::Success();
+    }));
     this->Group.Exchange(messages);
-    for (const Message& message : messages)
-    {
-      for (const SentEdge& edge : MessageReader(message).Take<SentEdge>())
+    return this->Group.Run([&] {
+      for (const Message& message : messages)
       {
-        this->Edges.push_back({ this->Region.AddVertex(edge.Source),
-          this->Region.AddVertex(edge.Target), edge.Length, edge.Departure, edge.Arrival });
+        for (const SentEdge& edge : MessageReader(message).Take<SentEdge>())
+        {
+          this->Edges.push_back({ this->Region.AddVertex(edge.Source),
+            this->Region.AddVertex(edge.Target), edge.Length, edge.Departure, edge.Arrival });
+        }
       }
-    }
+      return Status::Success();
+    });
   }
 
   std::vector<RegionEdge> Edges; // between points of the region
@@ -312,18 +318,13 @@ Status BuildPieceGraph(const TaskContext& context, const ProcessGroup& group,
   bool& isUsable)
 {
   graph = PieceGraph();
-  isUsable = options.Construction != GraphConstruction::Indirect;
-  if (!isUsable)
-  {
-    return Status::Success();
-  }
   EdgeFinder finder(context, group, options);
   DGG_RETURN_IF_ERROR(finder.Run(piece, estimate, isUsable));
   if (!isUsable)
   {
     return Status::Success();
   }
-  finder.ExchangeEdges();
+  DGG_RETURN_IF_ERROR(finder.ExchangeEdges());
   const bool isByNumber = options.Construction == GraphConstruction::SaddleVertexGraph;
   GraphInfo info;
   info.Construction = options.Construction;
@@ -380,7 +381,8 @@ Status JoinPieceGraphs(const std::vector<StoredPiece>& pieces, const Offset* glo
       const Offset* const last = globalIds + numberOfPoints;
       const Offset* const ghost =
         target < points ? last : std::lower_bound(globalIds, last, piece.GhostIds[target - points]);
-      isComplete = isComplete && (target < points || ghost != last);
+      isComplete = isComplete &&
+        (target < points || (ghost != last && *ghost == piece.GhostIds[target - points]));
       graph.Targets[to + e - begin] =
         static_cast<Id>(target < points ? (*piece.Points)[target] : ghost - globalIds);
     }

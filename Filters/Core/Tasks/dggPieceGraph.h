@@ -35,9 +35,9 @@ DGG_CORE_EXPORT Signature SumSignatures(const std::vector<Signature>& pieces);
 /// Builds the graph of a surface together with the other processes; each one builds the rows of its
 /// piece, which has no ghosts. All pieces together are the graph that one process would build of
 /// the surface that JoinSurfacePieces() makes, bit by bit. `isUsable` becomes false on all
-/// processes if the pieces must be gathered instead: for the reasons of SurfaceRegion::Start(), for
-/// faces that are degenerate or not oriented consistently, and for the indirect construction. The
-/// surface of the context is not used.
+/// processes if the pieces must be gathered instead: for the reasons of SurfaceRegion::Start(), and
+/// for faces that are degenerate or not oriented consistently. The options must be the same on all
+/// processes, and not ask for the indirect construction. The surface of the context is not used.
 DGG_CORE_EXPORT Status BuildPieceGraph(const TaskContext& context, const ProcessGroup& group,
   const SurfacePiece& piece, GraphOptions options, PieceGraph& graph, GraphEstimate& estimate,
   bool& isUsable);

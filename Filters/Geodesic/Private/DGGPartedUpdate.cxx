@@ -249,8 +249,12 @@ dgg::Status DGGPartedUpdate::JoinGraphsHere(
       { graph.GetView(), graph.GetGraph().GetGhosts().Ids, &this->Ports[0].Joined.GetPointIds(p) });
   }
   const dgg::Signature signature = dgg::SumSignatures(signatures);
-  const bool fits = std::all_of(pieces.begin(), pieces.end(),
-    [&](const dgg::StoredPiece& piece) { return piece.Rows.Info.Surface == signature; });
+  const dgg::GraphInfo& first = pieces.front().Rows.Info;
+  const bool fits = std::all_of(pieces.begin(), pieces.end(), [&](const dgg::StoredPiece& piece) {
+    const dgg::GraphInfo& info = piece.Rows.Info;
+    return info.Surface == signature && info.Construction == first.Construction &&
+      info.Accuracy == first.Accuracy && info.NumberOfNeighbors == first.NumberOfNeighbors;
+  });
   if (!fits)
   {
     return dgg::Status::Success();
@@ -264,12 +268,17 @@ dgg::Status DGGPartedUpdate::JoinGraphsHere(
 //------------------------------------------------------------------------------
 void DGGPartedUpdate::AddGraph(const DGGContext& context)
 {
-  if (!this->JoinedGraph.Offsets.IsEmpty())
+  bool isSame = !this->JoinedGraph.Offsets.IsEmpty(); // no points of the surface are merged
+  for (vtkIdType point = 0; point < context.Input->GetNumberOfPoints() && isSame; ++point)
+  {
+    isSame = context.Surface.GetVertex(point) == point;
+  }
+  if (isSame)
   {
     this->JoinedGraph.Info.Surface = context.Surface.GetSignature();
     this->Graph.Adopt(this->JoinedGraph, context);
-    this->JoinedGraph = dgg::GeodesicGraph();
   }
+  this->JoinedGraph = dgg::GeodesicGraph();
   if (this->Graph.IsValid())
   {
     this->Graph.AddTo(context.Input->GetFieldData());
