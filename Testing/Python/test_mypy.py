@@ -75,10 +75,11 @@ class Types(unittest.TestCase):
 
     def test_stubs(self):
         # A copy, because mypy would take other modules beside the package for parts of the program.
-        package = os.path.join(self.folder, "copy", "vtkdgg")
+        copy = os.path.join(self.folder, "copy")
+        package = os.path.join(copy, "vtkdgg")
         shutil.copytree(os.path.dirname(vtkdgg.__file__), package)
-        stubs = [name for name in os.listdir(package) if name.endswith(".pyi")]
-        self.assertEqual(self.errors(*stubs, cwd=package), [])
+        stubs = [f"vtkdgg/{name}" for name in os.listdir(package) if name.endswith(".pyi")]
+        self.assertEqual(self.errors(*stubs, cwd=copy), [])
 
     def test_program(self):
         """A program has no errors, except those of its wrong lines, one each."""
