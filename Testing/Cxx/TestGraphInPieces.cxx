@@ -235,9 +235,9 @@ TEST_F(PieceGraph, OtherRules)
 }
 
 //------------------------------------------------------------------------------
-/// What has no distributed form is gathered, and gives the graph of one process on the first
-/// process, which a second filter passes on.
-TEST_F(PieceGraph, GathersWhatHasNoDistributedForm)
+/// Pieces that cannot be distributed are gathered. The first process then has the graph of a single
+/// process, and a second filter passes it on.
+TEST_F(PieceGraph, GathersOtherPieces)
 {
   const auto plain = MakeTerrain(12);
   const auto turned = MakeTerrain(12); // one triangle has another orientation

@@ -42,7 +42,7 @@ constexpr Id RowsOfFirstWave = 256;
 constexpr double EdgesOfWave = 1 << 19;
 /// Number of blocks of crossings from which on blocks behind the rows are released.
 constexpr std::size_t MostBlocks = 2048;
-/// Rows of a region that are built at once.
+/// Number of rows of a region per wave.
 constexpr Id RowsOfRegionWave = 8192;
 /// Rows built for an estimate.
 constexpr Id SampleSize = 128;

@@ -14,7 +14,7 @@ namespace dgg
 void UseLargePages(void* begin, std::size_t size)
 {
 #ifdef __linux__
-  constexpr std::size_t smallest = std::size_t(1) << 25; // smaller blocks are shared with others
+  constexpr std::size_t smallest = std::size_t(1) << 25; // malloc() does not map smaller ones
   if (size >= smallest)
   {
     const auto page = static_cast<std::uintptr_t>(sysconf(_SC_PAGESIZE));

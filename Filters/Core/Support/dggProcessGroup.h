@@ -12,7 +12,7 @@
 #include <cstring>     // for std::memcpy
 #include <functional>  // for the exchange
 #include <new>         // for std::bad_alloc
-#include <type_traits> // for what can be copied
+#include <type_traits> // for std::is_trivially_copyable
 #include <vector>      // for messages
 
 namespace dgg
