@@ -55,10 +55,11 @@ dgg::GraphView AsCloud(dgg::GraphView graph);
 std::vector<double> ReferenceDistances(
   const dgg::GraphView& graph, const std::vector<dgg::GraphSeed>& seeds);
 
-/// Expects equal fields, up to rounding.
+/// Expects equal fields.
 void ExpectSameDistances(
   const std::vector<double>& expected, const std::vector<double>& actual, const std::string& what);
-/// Expects the edges, tails and seeds to form a tree that leads to each vertex at its distance.
+/// Expects the edges, tails and seeds to form a tree that leads to each vertex at its distance; of
+/// several paths, the tree has the one with the smallest tail.
 void ExpectConsistentTree(const dgg::GraphView& graph, const std::vector<dgg::GraphSeed>& seeds,
   const dgg::SearchResult& result, const std::string& what);
 

@@ -101,6 +101,9 @@ public:
     bucket.clear();
   }
 
+  /// Working memory of the search: per vertex, the number of children in the tree.
+  std::vector<Id> Children;
+
 private:
   static constexpr std::size_t NumberOfBuckets = 256;
   static constexpr std::size_t Mask = NumberOfBuckets - 1;

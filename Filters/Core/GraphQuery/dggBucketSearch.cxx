@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <type_traits>
 
 namespace dgg
@@ -16,9 +15,6 @@ constexpr std::size_t ProgressInterval = 16384;
 /// Number of queue entries by which vertices, and their edges, are prefetched.
 constexpr std::size_t VertexLookahead = 12;
 constexpr std::size_t EdgesLookahead = 6;
-/// Relative tolerance below which a shorter path is ignored as rounding.
-constexpr double Slack = 1e-12;
-
 template <typename Length>
 bool RunNearestFirst(const GraphView& graph, const Length* lengths,
   const ProgressCallback& progress, MinimumHeap& heap, SearchLabels& labels, SearchEffort& effort)
@@ -47,9 +43,12 @@ bool RunNearestFirst(const GraphView& graph, const Length* lengths,
       if (distance < distances[t] && distance < labels.Limit)
       {
         labels.SetDistance(t, distance);
-        labels.Origins[t].Edge = e;
-        labels.Origins[t].Tail = v;
+        labels.Origins[t] = { e, v, -1.0f };
         heap.Push(distance, t);
+      }
+      else if (distance == distances[t])
+      {
+        labels.Offer(t, { e, v, -1.0f });
       }
     }
   }
@@ -123,10 +122,7 @@ public:
     }
     // Vertices whose label has not changed need no certification.
     this->Queue.Reset(NearestOf(seeds), width);
-    for (const Id v : touched)
-    {
-      this->CertifyRow(v);
-    }
+    this->CertifyCompletely(std::vector<Id>(touched));
     return this->Propagate<false>();
   }
 
@@ -271,9 +267,17 @@ private:
       const double distance = label + lengths[e];
       if (distance < distances[t] && distance < limit)
       {
+        if (!OverFans)
+        {
+          this->RemoveChild(t);
+        }
         this->Labels.SetDistance(t, distance);
         origins[t] = { e, v, OverFans ? this->Graph.ArrivalAngles[e] : -1.0f };
         this->Queue.Push(distance, t);
+      }
+      else if (!OverFans && distance == distances[t])
+      {
+        this->Labels.Offer(t, { e, v, -1.0f });
       }
     };
     if (OverFans)
@@ -290,114 +294,93 @@ private:
     this->Effort.Relaxations += relaxations;
   }
 
-  /// Checks every edge for a shorter path, which few edges give. The sequential pass through the
-  /// arrays is cheaper per edge than any random access.
+  /// Checks every edge for a shorter or another shortest path, which few edges give.
   void Certify()
   {
+    const std::vector<Id>& touched = this->Labels.Touched;
     const Id n = this->Graph.NumberOfVertices;
-    std::vector<Id>& touched = this->Labels.Touched;
-    if (!AreFew(touched, static_cast<std::size_t>(n)))
+    if (AreFew(touched, static_cast<std::size_t>(n)))
     {
-      for (Id v = 0; v < n; ++v)
-      {
-        if (this->Labels.IsReached(v))
-        {
-          this->CertifyRow(v);
-        }
-      }
+      // Most rows end at vertices without a label, so that counting would not save work. Vertices
+      // that are reached during the loop are in the queue.
+      this->CertifyCompletely(std::vector<Id>(touched));
       return;
     }
-    // Ids are processed in ascending order, as by the loop over all vertices, because rounding
-    // depends on the order.
-    std::vector<Id> waiting = touched;
-    const auto isAfter = std::greater<Id>();
-    std::make_heap(waiting.begin(), waiting.end(), isAfter);
-    while (!waiting.empty())
+    // The sequential pass through the arrays is cheaper per edge than any random access.
+    this->CountChildren();
+    for (Id v = 0; v < n; ++v)
     {
-      std::pop_heap(waiting.begin(), waiting.end(), isAfter);
-      const Id v = waiting.back();
-      waiting.pop_back();
-      const std::size_t count = touched.size();
+      this->CertifyRow(v);
+    }
+    this->Children = nullptr;
+  }
+
+  void CertifyCompletely(const std::vector<Id>& vertices)
+  {
+    for (const Id v : vertices)
+    {
       if (this->Labels.IsReached(v))
       {
-        // Most rows end at vertices without a label, so that a scan would not save work.
-        this->CountRow(v);
-        this->LowerNeighbors(v);
-      }
-      for (std::size_t i = count; i < touched.size(); ++i)
-      {
-        if (touched[i] > v)
-        {
-          waiting.push_back(touched[i]);
-          std::push_heap(waiting.begin(), waiting.end(), isAfter);
-        }
+        this->template RelaxFrom<false>(v, this->Labels.Distances[v]);
       }
     }
   }
 
-  void CountRow(Id v)
+  /// Counts the children of all vertices in the tree.
+  void CountChildren()
   {
-    this->Effort.Relaxations +=
-      static_cast<std::size_t>(this->Graph.Offsets[v + 1] - this->Graph.Offsets[v]);
+    std::vector<Id>& children = this->Queue.Children;
+    children.assign(static_cast<std::size_t>(this->Graph.NumberOfVertices), 0);
+    for (const Id v : this->Labels.Touched)
+    {
+      const LabelOrigin& origin = this->Labels.Origins[v];
+      if (!origin.IsSeed())
+      {
+        ++children[origin.Tail];
+      }
+    }
+    this->Children = children.data();
+  }
+
+  /// Called before the label of a vertex is lowered.
+  void RemoveChild(Id v)
+  {
+    if (this->Children && this->Labels.Distances[v] < Infinity && !this->Labels.Origins[v].IsSeed())
+    {
+      --this->Children[this->Labels.Origins[v].Tail];
+    }
   }
 
   void CertifyRow(Id v)
   {
-    this->CountRow(v);
-    const double largest =
-      this->LargestDifference(this->Graph.Offsets[v], this->Graph.Offsets[v + 1]);
-    if (largest > this->LabelWithSlack(v))
+    if (!this->Labels.IsReached(v))
     {
-      this->LowerNeighbors(v);
+      return;
+    }
+    const Offset begin = this->Graph.Offsets[v];
+    const Offset end = this->Graph.Offsets[v + 1];
+    this->Effort.Relaxations += static_cast<std::size_t>(end - begin);
+    const double label = this->Labels.Distances[v];
+    if (this->CountPaths(label, begin, end) > this->Children[v])
+    {
+      this->template RelaxFrom<false>(v, label);
     }
   }
 
-  double LabelWithSlack(Id v) const
-  {
-    const double distance = this->Labels.Distances[v];
-    return distance + Slack * std::abs(distance);
-  }
-
-  void LowerNeighbors(Id v)
-  {
-    const double* const distances = this->Labels.Distances.data();
-    const double limit = this->Labels.Limit;
-    const double label = this->LabelWithSlack(v);
-    for (Offset e = this->Graph.Offsets[v]; e < this->Graph.Offsets[v + 1]; ++e)
-    {
-      const Id t = this->Graph.Targets[e];
-      if (label + this->Lengths[e] < std::min(distances[t], limit))
-      {
-        this->Labels.SetDistance(t, distances[v] + this->Lengths[e]);
-        this->Labels.Origins[t] = { e, v, -1.0f };
-        this->Queue.Push(distances[t], t);
-      }
-    }
-  }
-
-  /// Returns the largest difference between the label at the end of an edge and the length of the
-  /// edge. Unless the difference exceeds the label at the start, no edge of the row gives a shorter
-  /// path. Branchless.
-  double LargestDifference(Offset begin, Offset end) const
+  /// Returns the number of edges of a row over which the paths to their ends are not longer than
+  /// the labels there. These are the edges to the children, unless there is another shortest path.
+  /// Branchless.
+  Id CountPaths(double label, Offset begin, Offset end) const
   {
     const double* const distances = this->Labels.Distances.data();
     const Id* const targets = this->Graph.Targets;
-    // Four independent chains hide the latency of the maximum.
-    double largest[4] = { -Infinity, -Infinity, -Infinity, -Infinity };
-    Offset e = begin;
-    for (; e + 4 <= end; e += 4)
+    const Length* const lengths = this->Lengths;
+    Id count = 0;
+    for (Offset e = begin; e < end; ++e)
     {
-      for (int k = 0; k < 4; ++k)
-      {
-        const double difference = distances[targets[e + k]] - this->Lengths[e + k];
-        largest[k] = difference > largest[k] ? difference : largest[k];
-      }
+      count += distances[targets[e]] >= label + lengths[e] ? 1 : 0;
     }
-    for (; e < end; ++e)
-    {
-      largest[0] = std::max(largest[0], distances[targets[e]] - this->Lengths[e]);
-    }
-    return std::max(std::max(largest[0], largest[1]), std::max(largest[2], largest[3]));
+    return count;
   }
 
   /// Counts vertices, and reports progress periodically. Returns false if aborted.
@@ -423,6 +406,7 @@ private:
   SearchEffort& Effort;
   std::vector<Id>* Order = nullptr; ///< receives the vertices taken from the queue
   const std::vector<Id>* Targets;   ///< targets that end the search; null: none
+  Id* Children = nullptr;           ///< per vertex, children in the tree; null unless certifying
   std::size_t Passed = 0;           ///< number of leading targets with final labels
   double Largest = -Infinity;       ///< largest distance of these
   std::size_t PopsSinceReport = 0;

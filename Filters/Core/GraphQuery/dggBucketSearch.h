@@ -22,7 +22,7 @@ bool RunDijkstra(const GraphView& graph, const std::vector<GraphSeed>& seeds,
 /// none), a path first continues only over the fan of the edge by which the path arrived. This
 /// restriction leaves a few labels too large. Therefore all edges are then certified one after the
 /// other, and labels found too large are corrected over all edges. The result is that of Dijkstra's
-/// algorithm, up to rounding. `width` is the bucket width of the queue. With targets, the limit of
+/// algorithm. `width` is the bucket width of the queue. With targets, the limit of
 /// the labels drops to the largest distance of a target. The cost is proportional to the number of
 /// vertices within the limit. Returns false if aborted.
 bool RunBucketSearch(const GraphView& graph, const GraphFans* fans,
@@ -38,7 +38,7 @@ void RunAlongFans(const GraphView& graph, const GraphFans& fans,
 
 /// Updates final labels after adding further seeds. Only vertices that are nearer to the new seeds
 /// are visited. `touched` receives these vertices; some occur several times. The result is that of
-/// a search from all seeds, up to rounding. Returns false if aborted.
+/// a search from all seeds. Returns false if aborted.
 bool LowerLabels(const GraphView& graph, const GraphFans* fans, const std::vector<GraphSeed>& seeds,
   double width, const ProgressCallback& progress, BucketQueue& queue, SearchLabels& labels,
   std::vector<Id>& touched);

@@ -15,9 +15,21 @@
 
 namespace dgg
 {
+///@{
 /// Returns the largest angle between an edge of a guaranteed graph and the geodesic that the edge
 /// approximates; for other graphs, an empirical value.
 double LargestDeviation(const GraphView& graph);
+double LargestDeviation(const GraphInfo& graph, double meanDegree);
+///@}
+
+/// Angles around a vertex.
+struct VertexAngle
+{
+  float Total = 0.0f;  ///< positive inside, negative on the boundary, 0 if irregular or isolated
+  float Defect = 0.0f; ///< inside, the absolute value of the angle defect
+};
+
+std::vector<VertexAngle> MeasureVertexAngles(const SurfaceMesh& mesh);
 
 /// Finds the edges that can follow an edge on a shortest path. A shortest path continues nearly
 /// straight, so that only the edges of a row are relevant that leave roughly opposite to the
@@ -29,6 +41,8 @@ class GraphFans
 {
 public:
   GraphFans(const GraphView& graph, const SurfaceMesh& mesh);
+  GraphFans(
+    const GraphView& graph, const std::vector<VertexAngle>& angles, double largestDeviation);
 
   /// Calls `relax(edge)` for the edges of the fan of a vertex that was reached from the direction
   /// `arrival`; negative means that every edge may follow.

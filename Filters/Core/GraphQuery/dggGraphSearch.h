@@ -124,11 +124,12 @@ public:
 
   const GraphView& GetGraph() const;
 
-  /// Computes distances from the nearest seed. All methods give the same distances, up to rounding.
-  /// Fails with an empty `result` if there is no seed, or if a seed does not exist or has an
-  /// initial distance that is not finite. If `result` is from an earlier call, from which any
-  /// array but `Reached` may have been moved, the cost is proportional to the number of vertices
-  /// within the radii of both searches.
+  /// Computes distances from the nearest seed. All methods give the same distances and the same
+  /// tree: among the shortest paths to a vertex, a seed comes first, then the smallest tail. Fails
+  /// with an empty `result` if there is no seed, or if a seed does not exist or has an initial
+  /// distance that is not finite. If `result` is from an earlier call, from which any array but
+  /// `Reached` may have been moved, the cost is proportional to the number of vertices within the
+  /// radii of both searches.
   Status Run(
     const std::vector<GraphSeed>& seeds, const SearchOptions& options, SearchResult& result) const;
 

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggLabelCorrection.h"
 
-#include "dggGraphFans.h"
 #include "dggPrefetch.h"
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace dgg
 {
@@ -34,31 +34,19 @@ constexpr std::size_t Lookahead = 8;
 }
 
 LabelCorrection::LabelCorrection(const GraphView& graph, const SurfaceMesh& mesh)
-  : Graph(graph)
-  , Vertices(graph.NumberOfVertices)
-  , Shrink(LabelShrink(graph.Info))
-  , Unseen(0.5 * UnseenPart * std::pow(LargestDeviation(graph), 2.0))
-  , Scale(mesh.GetMeanEdgeLength() > 0.0
-        ? std::exp2(-std::rint(std::log2(mesh.GetMeanEdgeLength())))
-        : 1.0)
+  : LabelCorrection(
+      graph, MeasureVertexAngles(mesh), LargestDeviation(graph), mesh.GetMeanEdgeLength())
 {
-  for (Id v = 0; v < graph.NumberOfVertices; ++v)
-  {
-    Vertex& vertex = this->Vertices[v];
-    const auto angle = static_cast<float>(mesh.TotalAngle(v));
-    switch (mesh.Kind(v))
-    {
-      case VertexKind::Isolated:
-      case VertexKind::Irregular:
-        break;
-      case VertexKind::Boundary:
-        vertex.Angle = -angle;
-        break;
-      default:
-        vertex.Angle = angle;
-        vertex.Defect = static_cast<float>(std::abs(2.0 * Pi - mesh.TotalAngle(v)));
-    }
-  }
+}
+
+LabelCorrection::LabelCorrection(const GraphView& graph, std::vector<VertexAngle> angles,
+  double largestDeviation, double meanEdgeLength)
+  : Graph(graph)
+  , Angles(std::move(angles))
+  , Shrink(LabelShrink(graph.Info))
+  , Unseen(0.5 * UnseenPart * std::pow(largestDeviation, 2.0))
+  , Scale(meanEdgeLength > 0.0 ? std::exp2(-std::rint(std::log2(meanEdgeLength))) : 1.0)
+{
 }
 
 double LabelCorrection::OffsetOf(const GraphSeed& seed)
@@ -114,8 +102,8 @@ void LabelCorrection::Straighten(const Length* lengths, const std::vector<GraphS
       Prefetch(&result.Virtual[ahead.Vertex]);
       Prefetch(&result.Corrected[ahead.Tail]);
       Prefetch(&result.Corrected[ahead.Vertex]);
-      Prefetch(&this->Vertices[ahead.Tail]);
-      Prefetch(&this->Vertices[ahead.Vertex]);
+      Prefetch(&this->Angles[ahead.Tail]);
+      Prefetch(&this->Angles[ahead.Vertex]);
       Prefetch(&result.Distances[ahead.Vertex]);
     }
     const TreeStep& step = steps[i];
@@ -141,17 +129,17 @@ LabelCorrection::Estimate LabelCorrection::Follow(
   const TreeStep& step, double edge, const Estimate& from) const
 {
   const VirtualSource& source = from.Source;
-  const Vertex& vertex = this->Vertices[step.Vertex];
-  const Vertex& tail = this->Vertices[step.Tail];
+  const VertexAngle& vertex = this->Angles[step.Vertex];
+  const VertexAngle& tail = this->Angles[step.Tail];
   const double arrival = this->Graph.ArrivalAngles[step.Edge];
   double turn = this->Graph.Angles[step.Edge] - source.Angle;
-  if (tail.Angle > 0.0f)
+  if (tail.Total > 0.0f)
   {
-    turn -= tail.Angle * std::rint(turn / tail.Angle); // the smaller side
+    turn -= tail.Total * std::rint(turn / tail.Total); // the smaller side
   }
   const Estimate restarted{ { from.Distance, edge, arrival }, from.Distance + edge };
   const bool bends = std::abs(turn) >= Pi + AngleSlack;
-  if (bends || !(source.Length > 0.0) || tail.Angle == 0.0f)
+  if (bends || !(source.Length > 0.0) || tail.Total == 0.0f)
   {
     return restarted;
   }
@@ -171,7 +159,7 @@ LabelCorrection::Estimate LabelCorrection::Follow(
   const double tilt =
     std::atan2(static_cast<float>(this->Scale * y), static_cast<float>(this->Scale * x));
   const double angle = arrival + (turn > 0.0 ? tilt : -tilt);
-  if (vertex.Angle < 0.0f && !(angle >= -AngleSlack && angle <= AngleSlack - vertex.Angle))
+  if (vertex.Total < 0.0f && !(angle >= -AngleSlack && angle <= AngleSlack - vertex.Total))
   {
     return restarted; // the straight line leaves the surface
   }

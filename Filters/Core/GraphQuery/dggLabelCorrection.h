@@ -5,6 +5,7 @@
 #ifndef dggLabelCorrection_h
 #define dggLabelCorrection_h
 
+#include "dggGraphFans.h"    // for the angles
 #include "dggSearchLabels.h" // for GraphSeed, SearchResult, TreeStep
 #include "dggSurfaceMesh.h"  // for SurfaceMesh
 
@@ -44,6 +45,8 @@ public:
   };
 
   LabelCorrection(const GraphView& graph, const SurfaceMesh& mesh);
+  LabelCorrection(const GraphView& graph, std::vector<VertexAngle> angles, double largestDeviation,
+    double meanEdgeLength);
 
   /// Fills Corrected and Virtual of a finished search at the reached vertices, from the search
   /// tree.
@@ -61,12 +64,6 @@ public:
   static Estimate EstimateOf(const GraphSeed& seed);
 
 private:
-  struct Vertex
-  {
-    float Angle = 0.0f;  ///< total angle: positive inside, negative on the boundary, 0 if irregular
-    float Defect = 0.0f; ///< absolute value of the angle defect
-  };
-
   static double FindSmallestOffset(const std::vector<GraphSeed>& seeds);
   template <typename Length>
   void Straighten(const Length* lengths, const std::vector<GraphSeed>& seeds,
@@ -74,7 +71,7 @@ private:
   Estimate Follow(const TreeStep& step, double edge, const Estimate& from) const;
 
   const GraphView& Graph;
-  std::vector<Vertex> Vertices;
+  std::vector<VertexAngle> Angles;
   double Shrink; ///< see LabelShrink()
   double Unseen; ///< mean shortening of an edge by unresolved roughness
   double Scale;  ///< power of two that makes lengths comparable to 1, as floats need it

@@ -120,6 +120,19 @@ struct SearchLabels
     this->Distances[v] = distance;
   }
 
+  /// Offers a vertex another path of the length of its label. Among the paths to a vertex that are
+  /// equally long, a seed comes first, then the path with the smallest tail. The tree then depends
+  /// neither on the order of the search nor on the method.
+  void Offer(Id v, const LabelOrigin& origin)
+  {
+    LabelOrigin& present = this->Origins[v];
+    if (!present.IsSeed() && origin.Tail < present.Tail &&
+      this->Distances[origin.Tail] < this->Distances[v])
+    {
+      present = origin;
+    }
+  }
+
   /// Enters the i-th seed. Returns false if the label of the vertex is not lowered.
   bool Lower(const GraphSeed& seed, std::size_t i)
   {
