@@ -15,6 +15,7 @@
 #include "vtkTypeInt64Array.h"
 
 #include <algorithm>
+#include <utility>
 
 using dgg::StoredGraph;
 
@@ -71,8 +72,10 @@ void DGGGraphArrays::Adopt(dgg::GeodesicGraph& graph, const std::vector<double>&
   std::copy(radii.begin(), radii.end(), ownRadii.begin());
   // The arrays take over the memory that the view refers to.
   this->Graph = StoredGraph(graph.View(), dgg::CloudBand{ voxelSize, ownRadii.Data() });
-  dgg::Buffer<dgg::Offset> noGhosts;
-  this->AdoptArrays(graph, ownRadii, noGhosts, context);
+  dgg::PieceGraph rows;
+  rows.Rows = std::move(graph);
+  this->AdoptArrays(rows, ownRadii, context);
+  graph = dgg::GeodesicGraph();
 }
 
 //------------------------------------------------------------------------------
@@ -80,16 +83,18 @@ void DGGGraphArrays::Adopt(dgg::PieceGraph& graph, const dgg::TaskContext& conte
 {
   this->Clear();
   this->Graph = StoredGraph(graph.Rows.View(),
-    dgg::GhostVertices{ graph.GhostIds.Data(), static_cast<dgg::Id>(graph.GhostIds.Size()) });
+    dgg::GhostVertices{
+      graph.GhostIds.Data(), static_cast<dgg::Id>(graph.GhostIds.Size()), graph.Owners.Data() });
   dgg::Buffer<double> noRadii;
-  this->AdoptArrays(graph.Rows, noRadii, graph.GhostIds, context);
+  this->AdoptArrays(graph, noRadii, context);
 }
 
 //------------------------------------------------------------------------------
 /// Creates arrays from the memory that the stored graph refers to.
-void DGGGraphArrays::AdoptArrays(dgg::GeodesicGraph& graph, dgg::Buffer<double>& radii,
-  dgg::Buffer<dgg::Offset>& ghosts, const dgg::TaskContext& context)
+void DGGGraphArrays::AdoptArrays(
+  dgg::PieceGraph& piece, dgg::Buffer<double>& radii, const dgg::TaskContext& context)
 {
+  dgg::GeodesicGraph& graph = piece.Rows;
   dgg::Buffer<std::int64_t> info = this->Graph.MakeInfo(context.Surface, context.Parallel);
 
   const auto name = &StoredGraph::GetName;
@@ -106,7 +111,8 @@ void DGGGraphArrays::AdoptArrays(dgg::GeodesicGraph& graph, dgg::Buffer<double>&
     DGGAdoptArray<vtkFloatArray>(graph.Angles, name(StoredGraph::Angles)),
     DGGAdoptArray<vtkFloatArray>(graph.ArrivalAngles, name(StoredGraph::ArrivalAngles)),
     DGGAdoptArray<vtkDoubleArray>(radii, name(StoredGraph::Radii)),
-    DGGAdoptArray<vtkTypeInt64Array>(ghosts, name(StoredGraph::GhostIds)),
+    DGGAdoptArray<vtkTypeInt64Array>(piece.GhostIds, name(StoredGraph::GhostIds)),
+    DGGAdoptArray<vtkTypeInt32Array>(piece.Owners, name(StoredGraph::Owners)),
     DGGAdoptArray<vtkTypeInt64Array>(info, name(StoredGraph::Info)),
   } };
   for (int role = 0; role < StoredGraph::NumberOfRoles; ++role)

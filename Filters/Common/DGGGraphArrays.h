@@ -104,8 +104,8 @@ private:
   };
   using Entries = std::array<Entry, dgg::StoredGraph::NumberOfRoles>;
 
-  void AdoptArrays(dgg::GeodesicGraph& graph, dgg::Buffer<double>& radii,
-    dgg::Buffer<dgg::Offset>& ghosts, const dgg::TaskContext& context);
+  void AdoptArrays(
+    dgg::PieceGraph& piece, dgg::Buffer<double>& radii, const dgg::TaskContext& context);
   dgg::StoredGraph::Arrays ViewArrays() const;
   static Entry MakeEntry(vtkAbstractArray* array);
   static Entries MakeEntries(vtkFieldData* data);

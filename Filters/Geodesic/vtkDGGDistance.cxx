@@ -6,8 +6,13 @@
 #include "DGGGraphUser.h"
 
 #include "dggGraphDistances.h"
+#include "dggPieceDistances.h"
+#include "dggPieceSearch.h"
+#include "dggProcessGroup.h"
 
 #include "vtkObjectFactory.h"
+
+#include <memory>
 
 vtkStandardNewMacro(vtkDGGDistance);
 
@@ -19,11 +24,18 @@ public:
   using DGGGraphInternalsOf::DGGGraphInternalsOf;
 
   dgg::Status ComputeDistances(const DGGContext& context, dgg::DistanceTask& task) override;
+  dgg::Status ComputePiece(const DGGContext& context, const dgg::ProcessGroup& group,
+    const dgg::SurfacePiece& piece, const dgg::SourceCollection& sources,
+    const dgg::DistanceRequest& request, dgg::DistanceOutput& results, bool& isDone) override;
   std::vector<dgg::VertexArray> DeclareArrays() const override;
   std::string GetMemoryRemedy() const override
   {
     return "Use a smaller mesh, a larger {Accuracy} or a {MaximumDistance}";
   }
+
+private:
+  std::unique_ptr<dgg::PieceSearch> PieceSearch; // in the graph with PieceKey
+  DGGGraphArrays::Key PieceKey;
 };
 
 vtkDGGInternalsMacro(vtkDGGDistance);
@@ -74,7 +86,41 @@ dgg::Status vtkDGGDistance::vtkInternals::ComputeDistances(
 {
   const dgg::SearchMethod methods[] = { dgg::SearchMethod::Certified,
     dgg::SearchMethod::LabelCorrecting, dgg::SearchMethod::Dijkstra };
+  this->PieceSearch.reset();
   DGG_RETURN_IF_ERROR(this->GraphUser.Update(context, this->Self));
   return dgg::FindGraphDistances(
     context, this->GraphUser, methods[this->Self->Search], this->Self->Correction, task);
+}
+
+//------------------------------------------------------------------------------
+dgg::Status vtkDGGDistance::vtkInternals::ComputePiece(const DGGContext& context,
+  const dgg::ProcessGroup& group, const dgg::SurfacePiece& piece,
+  const dgg::SourceCollection& sources, const dgg::DistanceRequest& request,
+  dgg::DistanceOutput& results, bool& isDone)
+{
+  DGG_RETURN_IF_ERROR(this->GraphUser.UpdatePiece(context, group, piece, this->Self, isDone));
+  if (!isDone)
+  {
+    return dgg::Status::Success();
+  }
+  const DGGGraphArrays& graph = *this->GraphUser.GetPiece();
+  if (!group.Holds(this->PieceSearch && this->PieceKey == graph.GetKey()))
+  {
+    this->PieceSearch = std::make_unique<dgg::PieceSearch>();
+    this->PieceKey = graph.GetKey();
+    const dgg::Status status = this->PieceSearch->Prepare(
+      group, piece, graph.GetView(), graph.GetGraph().GetGhosts(), isDone);
+    // Ids of sources number the points.
+    isDone = isDone && this->PieceSearch->HasConsecutiveIds();
+    if (!status.IsOk() || !isDone)
+    {
+      this->PieceSearch.reset();
+      return status;
+    }
+  }
+  const double accuracy = this->GraphUser.GetSummary().Info.Accuracy;
+  return dgg::FindPieceDistances(group, *this->PieceSearch, sources,
+    group.Share(this->Self->Correction).front(),
+    accuracy > 0.0 ? accuracy : group.Share(this->Self->GetAccuracy()).front(), request,
+    context.Progress, results);
 }

@@ -6,6 +6,7 @@
 #include "DGGFilterInternals.h"
 #include "DGGGraphArrays.h"
 #include "DGGOutput.h"
+#include "DGGPieceGraph.h"
 
 #include "dggGraphBuildTask.h"
 #include "dggOutput.h"
@@ -19,6 +20,8 @@
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 #include "vtkTimeStamp.h"
+
+#include <algorithm>
 
 vtkStandardNewMacro(vtkDiscreteGeodesicGraph);
 
@@ -58,7 +61,7 @@ public:
   dgg::GraphSummary Current; // graph of the last update
   std::string InputGraphDamage;
   dgg::GraphEstimate Estimate;
-  dgg::Signature BuiltPiece{}; // piece of which Built has rows
+  DGGPieceGraph Piece;
   vtkTimeStamp BuildTime;
 
 private:
@@ -146,6 +149,7 @@ void vtkDiscreteGeodesicGraph::ReleaseGraph()
 {
   this->GetInternals().Built.Clear();
   this->GetInternals().OnInput.Clear();
+  this->GetInternals().Piece = DGGPieceGraph();
 }
 
 //------------------------------------------------------------------------------
@@ -190,7 +194,8 @@ std::string vtkDiscreteGeodesicGraph::GetInputGraphDamage() const
 //------------------------------------------------------------------------------
 vtkMTimeType vtkDiscreteGeodesicGraph::GetGraphBuildTime() const
 {
-  return this->GetInternals().BuildTime.GetMTime();
+  return std::max(
+    this->GetInternals().BuildTime.GetMTime(), this->GetInternals().Piece.GetBuildTime());
 }
 
 //------------------------------------------------------------------------------
@@ -228,6 +233,7 @@ void vtkDiscreteGeodesicGraph::vtkInternals::ForgetResults()
 dgg::Status vtkDiscreteGeodesicGraph::vtkInternals::Execute(const DGGContext& context,
   vtkInformationVector** vtkNotUsed(inputVector), vtkInformationVector* outputVector)
 {
+  this->Piece = DGGPieceGraph();
   const bool isOnInput = this->FindOnInput(context);
   DGGGraphArrays& graph = isOnInput ? this->OnInput : this->Built;
   if (isOnInput)
@@ -257,60 +263,22 @@ dgg::Status vtkDiscreteGeodesicGraph::vtkInternals::ExecutePiece(const DGGContex
   const dgg::ProcessGroup& group, const dgg::SurfacePiece& piece,
   vtkInformationVector* outputVector, bool& isDone)
 {
-  // The graph of the entire surface is on the first process.
-  isDone = group.Holds(!DGGGraphArrays::AreOfWhole(context.Input->GetFieldData()));
+  this->Built.Clear();
+  std::string warning;
+  DGG_RETURN_IF_ERROR(this->Piece.Update(
+    context, group, piece, dgg::ShareOptions(group, this->MakeOptions()), false, isDone, warning));
+  this->InputGraphDamage = this->Piece.GetDamage();
+  this->Warn(warning);
   if (!isDone)
   {
     return dgg::Status::Success();
   }
-  // The properties of the first process count.
-  dgg::GraphOptions options = this->MakeOptions();
-  options.Construction = group.Share(options.Construction).front();
-  options.Accuracy = group.Share(options.Accuracy).front();
-  options.NumberOfNeighbors = group.Share(options.NumberOfNeighbors).front();
-  const dgg::Signature ofPiece = dgg::ComputeSignature(piece);
-  const dgg::Signature signature = dgg::SumSignatures(group.Share(ofPiece));
-  std::string complaint;
-  bool isFound = this->OnInput.FindPiece(
-    context.Input->GetFieldData(), piece.NumberOfPoints, context.Parallel, complaint);
-  this->InputGraphDamage = this->OnInput.GetDamage();
-  if (isFound && this->OnInput.GetView().Info.Surface != signature)
-  {
-    isFound = false;
-    complaint = "The graph {InArrays} is out of date: points or cells have changed since it was "
-                "built";
-  }
-  if (!complaint.empty())
-  {
-    this->Warn(dgg::DescribeReplacement(complaint, options));
-  }
-  const dgg::GraphInfo& built = this->Built.GetView().Info;
-  // All processes use the same graph.
-  const bool isOnInput =
-    group.Holds(isFound && dgg::IsBuiltWith(this->OnInput.GetView().Info, options));
-  const bool isKept = group.Holds(this->Built.IsValid() && this->BuiltPiece == ofPiece &&
-    built.Surface == signature && dgg::IsBuiltWith(built, options));
-  if (!isOnInput && !isKept)
-  {
-    this->Built.Clear();
-    dgg::PieceGraph graph;
-    DGG_RETURN_IF_ERROR(
-      dgg::BuildPieceGraph(context, group, piece, options, graph, this->Estimate, isDone));
-    if (!isDone)
-    {
-      return dgg::Status::Success();
-    }
-    this->Built.Adopt(graph, context);
-    this->BuiltPiece = ofPiece;
-    this->BuildTime.Modified();
-  }
-  const DGGGraphArrays& graph = isOnInput ? this->OnInput : this->Built;
+  this->Estimate = this->Piece.GetEstimate();
   vtkPolyData::GetData(outputVector, 1)->Initialize();
   vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
   output->ShallowCopy(context.Input);
-  graph.AddTo(output->GetFieldData());
-  this->Current = dgg::GraphSummary(graph.GetView());
-  this->Current.NumberOfVertices = static_cast<dgg::Id>(piece.NumberOfPoints);
+  this->Piece.Get().AddTo(output->GetFieldData());
+  this->Current = this->Piece.GetSummary();
   return dgg::Status::Success();
 }
 

@@ -8,6 +8,7 @@
 #include "DGGProperties.h"
 #include "DGGSources.h"
 
+#include "dggProcessGroup.h"
 #include "dggPropertyChecks.h"
 #include "dggSourceCollection.h"
 
@@ -199,6 +200,48 @@ dgg::Status DGGDistanceInternals::Execute(
   }
   this->AddResults(results, output);
   this->WarnAboutGaps(results.IsReached);
+  return dgg::Status::Success();
+}
+
+//------------------------------------------------------------------------------
+bool DGGDistanceInternals::CanDistribute() const
+{
+  return !this->Filter->GenerateVirtualSource && !this->Filter->PassSourceArrays &&
+    !this->Filter->GetInputDataObject(1, 0);
+}
+
+//------------------------------------------------------------------------------
+dgg::Status DGGDistanceInternals::ExecutePiece(const DGGContext& context,
+  const dgg::ProcessGroup& group, const dgg::SurfacePiece& piece,
+  vtkInformationVector* outputVector, bool& isDone)
+{
+  // The properties of the first process count.
+  const std::vector<vtkIdType> ids = group.TakeFromFirst(this->Filter->SourceIds);
+  const std::vector<double> offsets = group.TakeFromFirst(this->Filter->SourceOffsets);
+  dgg::DistanceRequest request = this->MakeRequest();
+  request.MaximumDistance = group.Share(request.MaximumDistance).front();
+  request.WantNearestSource = group.Share(request.WantNearestSource).front();
+  dgg::SourceCollection sources;
+  DGG_RETURN_IF_ERROR(
+    DGGCollect({ ids, nullptr, 1, "source", "SourceIds", "", &offsets }, sources));
+  dgg::DistanceOutput results;
+  DGG_RETURN_IF_ERROR(this->ComputePiece(context, group, piece, sources, request, results, isDone));
+  if (isDone)
+  {
+    vtkPolyData* output = vtkPolyData::GetData(outputVector);
+    output->ShallowCopy(context.Input);
+    this->AddResults(results, output);
+  }
+  return dgg::Status::Success();
+}
+
+//------------------------------------------------------------------------------
+dgg::Status DGGDistanceInternals::ComputePiece(const DGGContext& vtkNotUsed(context),
+  const dgg::ProcessGroup& vtkNotUsed(group), const dgg::SurfacePiece& vtkNotUsed(piece),
+  const dgg::SourceCollection& vtkNotUsed(sources), const dgg::DistanceRequest& vtkNotUsed(request),
+  dgg::DistanceOutput& vtkNotUsed(results), bool& isDone)
+{
+  isDone = false;
   return dgg::Status::Success();
 }
 

@@ -51,6 +51,28 @@ const Division divisions[] = { { "Strips", LabelStrips }, { "Bisection", LabelBi
   { "Connected", LabelConnected }, { "Scattered", LabelScattered },
   { "OneIsEmpty", LabelStripsButOne } };
 
+/// Returns a point of cells with different labels.
+vtkIdType FindSharedPoint(vtkPolyData* surface, const Labels& labels)
+{
+  std::vector<int> labelOfPoints(surface->GetNumberOfPoints(), -1);
+  vtkNew<vtkIdList> corners;
+  for (vtkIdType cell = 0; cell < surface->GetNumberOfCells(); ++cell)
+  {
+    surface->GetCellPoints(cell, corners);
+    for (vtkIdType k = 0; k < corners->GetNumberOfIds(); ++k)
+    {
+      int& label = labelOfPoints[corners->GetId(k)];
+      if (label >= 0 && label != labels[cell])
+      {
+        return corners->GetId(k);
+      }
+      label = labels[cell];
+    }
+  }
+  ADD_FAILURE() << "the pieces do not touch";
+  return 0;
+}
+
 struct Case
 {
   const char* Name;
@@ -126,10 +148,13 @@ protected:
     const auto offsets = GetValues(piece, "DGG.Offsets");
     const auto targets = GetValues(piece, "DGG.Targets");
     const auto ghosts = GetValues(piece, "DGG.GhostIds");
+    const auto owners = GetValues(piece, "DGG.Owners");
     const auto all = GetValues(whole, "DGG.Offsets");
     const auto allTargets = GetValues(whole, "DGG.Targets");
     const vtkIdType n = piece->GetNumberOfPoints();
     ASSERT_EQ(offsets.size(), n + ghosts.size() + 1);
+    ASSERT_EQ(owners.size(), n + ghosts.size());
+    vtkIdType edges = 0;
     vtkDataArray* ids = piece->GetPointData()->GetArray("Whole");
     const auto getId = [&](double target) {
       const auto v = static_cast<vtkIdType>(target);
@@ -140,10 +165,11 @@ protected:
       const auto id = static_cast<std::size_t>(getId(static_cast<double>(i)));
       const auto begin = static_cast<std::size_t>(offsets[i]);
       const auto size = static_cast<std::size_t>(offsets[i + 1]) - begin;
-      if (size == 0)
+      if (owners[i] >= 0.0)
       {
-        continue; // the row belongs to another piece
+        continue; // the point belongs to another process
       }
+      edges += static_cast<vtkIdType>(size);
       const auto to = static_cast<std::size_t>(all[id]);
       ASSERT_EQ(size, static_cast<std::size_t>(all[id + 1]) - to) << "point " << id;
       for (std::size_t e = 0; e < size; ++e)
@@ -159,8 +185,7 @@ protected:
           << name << " of point " << id;
       }
     }
-    EXPECT_EQ(
-      this->Sum(static_cast<vtkIdType>(targets.size())), static_cast<vtkIdType>(allTargets.size()));
+    EXPECT_EQ(this->Sum(edges), static_cast<vtkIdType>(allTargets.size()));
   }
 };
 
@@ -171,10 +196,14 @@ class GraphInPieces
 protected:
   const Case& GetCase() const { return std::get<1>(this->GetParam()); }
 
+  Labels GetLabels(vtkPolyData* surface) const
+  {
+    return std::get<0>(this->GetParam()).Label(surface, this->Count);
+  }
+
   vtkSmartPointer<vtkPolyData> TakePiece(vtkPolyData* surface, bool ghosts) const
   {
-    const Labels labels = std::get<0>(this->GetParam()).Label(surface, this->Count);
-    return TakePart(surface, labels, this->Here, PartIds::Global, ghosts);
+    return TakePart(surface, this->GetLabels(surface), this->Here, PartIds::Global, ghosts);
   }
 };
 }
@@ -190,20 +219,45 @@ TEST_P(GraphInPieces, RowsAndDistancesAreTheSame)
   const auto graph = this->Together<vtkDiscreteGeodesicGraph>(piece, prepare);
   this->ExpectRows(graph->GetOutput(), alone->GetOutput());
 
-  const auto search = [&](auto* filter) {
-    filter->SetSourceIds({ 5, 60 });
-    filter->SetUnreachedValue(-1.0);
-    filter->GenerateNearestSourceOn();
+  const vtkIdType onRim = FindSharedPoint(surface, this->GetLabels(surface));
+  const double radius = 0.4 * surface->GetLength();
+  const std::vector<std::function<void(vtkDGGDistance*)>> searches = {
+    [&](vtkDGGDistance* filter) {
+      filter->SetSourceIds({ 5, 60, onRim });
+    },
+    [&](vtkDGGDistance* filter) {
+      filter->SetSourceIds({ 7, 31, 7 }, { 0.1, 0.0, 0.05 });
+      filter->SetMaximumDistance(radius);
+    },
+    [](vtkDGGDistance* filter) {
+      filter->SetSourceIds({ 60, 5 });
+      filter->CorrectionOff();
+    }
   };
-  const auto expected = Alone<vtkDGGDistance>(alone->GetOutput(), search);
   vtkNew<vtkDGGDistance> distance;
+  vtkNew<vtkDGGDistance> expected;
+  expected->SetController(nullptr);
   distance->SetInputData(graph->GetOutput());
-  search(distance.Get());
-  this->Update(distance);
-  ExpectArray(distance->GetOutput(), expected->GetOutput(), "GeodesicDistance", 0.0);
-  ExpectArray(distance->GetOutput(), expected->GetOutput(), "GeodesicSource", 0.0);
-  EXPECT_EQ(distance->GetGraphBuildTime(), 0u); // the graph of the pieces is used
-  this->ExpectRows(distance->GetOutput(), alone->GetOutput());
+  expected->SetInputData(alone->GetOutput());
+  for (const auto& search : searches)
+  {
+    for (vtkDGGDistance* filter : { distance.Get(), expected.Get() })
+    {
+      filter->SetUnreachedValue(-1.0);
+      filter->GenerateNearestSourceOn();
+      filter->GenerateUpperBoundOn();
+      search(filter);
+    }
+    expected->Update();
+    this->Update(distance);
+    for (const char* name : { "GeodesicDistance", "GeodesicSource", "GeodesicUpperBound" })
+    {
+      ExpectArray(distance->GetOutput(), expected->GetOutput(), name, 0.0);
+    }
+    EXPECT_TRUE(distance->GetUsedInputGraph()); // on all processes
+    EXPECT_EQ(distance->GetGraphBuildTime(), 0u);
+    this->ExpectRows(distance->GetOutput(), alone->GetOutput());
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Divisions, GraphInPieces,
@@ -309,7 +363,7 @@ TEST_F(PieceGraph, IsWrittenAndRead)
   const auto search = [](auto* filter) { filter->SetSourceIds({ 5 }); };
   const auto expected = this->Together<vtkDGGDistance>(graph->GetOutput(), search);
   const auto distance = this->Together<vtkDGGDistance>(read, search);
-  EXPECT_EQ(distance->GetUsedInputGraph(), this->IsFirst());
+  EXPECT_TRUE(distance->GetUsedInputGraph());
   EXPECT_EQ(GetDistances(distance), GetDistances(expected));
 
   // One process has another surface than the graph.

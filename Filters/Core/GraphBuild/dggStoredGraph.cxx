@@ -53,7 +53,7 @@ bool IsConstructionOf(std::int64_t construction, GraphKind kind)
 const char* StoredGraph::GetName(int role)
 {
   static constexpr const char* names[NumberOfRoles] = { "DGG.Offsets", "DGG.Targets", "DGG.Lengths",
-    "DGG.Angles", "DGG.ArrivalAngles", "DGG.Radii", "DGG.GhostIds", "DGG.Info" };
+    "DGG.Angles", "DGG.ArrivalAngles", "DGG.Radii", "DGG.GhostIds", "DGG.Owners", "DGG.Info" };
   return names[role];
 }
 
@@ -114,6 +114,7 @@ bool StoredGraph::HasRole(int role) const
     case Radii:
       return isCloud;
     case GhostIds:
+    case Owners:
       return this->IsPiece;
     default:
       return true;
@@ -172,7 +173,8 @@ Status StoredGraph::ReadPiece(
   {
     return InvalidInput("The graph {InArrays} is that of an entire surface");
   }
-  this->Ghosts = { arrays[GhostIds].GetValues<Offset>(), static_cast<Id>(arrays[GhostIds].Size) };
+  this->Ghosts = { arrays[GhostIds].GetValues<Offset>(), static_cast<Id>(arrays[GhostIds].Size),
+    arrays[Owners].GetValues<Id>() };
   DGG_RETURN_IF_ERROR(this->ReadSizes(arrays, numberOfPoints + arrays[GhostIds].Size));
   this->Refer(arrays);
   return this->CheckContents(
@@ -207,6 +209,7 @@ Status StoredGraph::CheckType(int role, const StoredArray& array)
     { StoredArray::Float, StoredArray::Float, "single floats" },
     { StoredArray::Double, StoredArray::Double, "single doubles" },
     { StoredArray::Int64, StoredArray::Int64, "single 64-bit integers" },
+    { StoredArray::Int32, StoredArray::Int32, "single 32-bit integers" },
     { StoredArray::Int64, StoredArray::Int64, "single 64-bit integers" },
   };
   if (!this->HasRole(role) || array.Type == expected[role].First ||
@@ -284,10 +287,13 @@ Status StoredGraph::ReadSizes(const Arrays& arrays, Offset numberOfPoints)
       Counted(arrays[Offsets].Size, "value"), ", but ", numberOfPoints, " points need ",
       numberOfPoints + 1);
   }
-  if (this->HasRole(Radii) && arrays[Radii].Size != numberOfPoints)
+  for (const Role role : { Radii, Owners })
   {
-    return this->Damaged("DGG.Radii has ", Counted(arrays[Radii].Size, "value"), ", but ",
-      numberOfPoints, " are needed");
+    if (this->HasRole(role) && arrays[role].Size != numberOfPoints)
+    {
+      return this->Damaged(GetName(role), " has ", Counted(arrays[role].Size, "value"), ", but ",
+        numberOfPoints, " are needed");
+    }
   }
   this->View.NumberOfVertices = static_cast<Id>(numberOfPoints);
   return Status::Success();
@@ -374,6 +380,7 @@ std::int64_t StoredGraph::ComputeChecksum(
   if (this->IsPiece)
   {
     hash.Add(this->Ghosts.Ids, static_cast<std::size_t>(this->Ghosts.Count));
+    hash.Add(this->Ghosts.Owners, static_cast<std::size_t>(this->View.NumberOfVertices));
   }
   return CopyBits<std::int64_t>(hash.Finish()[0]);
 }

@@ -25,11 +25,15 @@ struct CloudBand
   const double* Radii = nullptr; ///< per point
 };
 
-/// Vertices of the graph of a piece that are points of other pieces; they come last.
+/// Vertices of the graph of a piece that belong to other processes. Ghosts, which are points of
+/// other pieces, come last.
 struct GhostVertices
 {
-  const Offset* Ids = nullptr; ///< global ids
-  Id Count = 0;
+  const Offset* Ids = nullptr; ///< global ids of ghosts
+  Id Count = 0;                ///< of ghosts
+  /// Per vertex, the process that it belongs to; Here for this process.
+  const Id* Owners = nullptr;
+  static constexpr Id Here = -1;
 };
 
 /// A graph of a mesh, of a piece of a mesh or of a cloud, and the arrays that store it. The
@@ -47,6 +51,7 @@ public:
     ArrivalAngles,
     Radii,
     GhostIds,
+    Owners,
     Info,
     NumberOfRoles
   };

@@ -14,6 +14,8 @@ namespace
 constexpr double FanWidth = 1.6;
 /// The mean degree of a guaranteed graph is about this factor divided by the root of the accuracy.
 constexpr double DegreeFactor = 5.3;
+/// Minimum mean number of edges per vertex for which fans are worthwhile.
+constexpr Offset ShortestLongRow = 55;
 }
 
 double LargestDeviation(const GraphView& graph)
@@ -52,6 +54,11 @@ std::vector<VertexAngle> MeasureVertexAngles(const SurfaceMesh& mesh)
     }
   }
   return angles;
+}
+
+bool GraphFans::AreWorthwhile(const GraphView& graph)
+{
+  return graph.GetNumberOfEdges() > ShortestLongRow * static_cast<Offset>(graph.NumberOfVertices);
 }
 
 GraphFans::GraphFans(const GraphView& graph, const SurfaceMesh& mesh)

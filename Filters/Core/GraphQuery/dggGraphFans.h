@@ -44,6 +44,9 @@ public:
   GraphFans(
     const GraphView& graph, const std::vector<VertexAngle>& angles, double largestDeviation);
 
+  /// Returns true if locating the fan in a row costs less than relaxing the entire row.
+  static bool AreWorthwhile(const GraphView& graph);
+
   /// Calls `relax(edge)` for the edges of the fan of a vertex that was reached from the direction
   /// `arrival`; negative means that every edge may follow.
   template <typename Relax>

@@ -56,8 +56,6 @@ Status CheckRadius(double maximumDistance)
     : Status::Success();
 }
 
-/// Minimum mean number of edges per vertex for which fans are worthwhile.
-constexpr Offset ShortestLongRow = 55;
 /// Minimum number of sources of a joint search. A joint search from this number of sources costs
 /// about as much as single searches.
 constexpr std::size_t SmallestGroup = 4;
@@ -292,17 +290,11 @@ public:
     {
       return RunDijkstra(this->Graph, seeds, options.Progress, workspace.Heap, labels, effort);
     }
-    const bool overFans = options.Method == SearchMethod::Certified && this->HasLongRows();
+    const bool overFans =
+      options.Method == SearchMethod::Certified && GraphFans::AreWorthwhile(this->Graph);
     const GraphFans* fans = overFans ? this->GetFans() : nullptr;
     return RunBucketSearch(this->Graph, fans, seeds, this->BucketWidth, options.Progress,
       workspace.Queue, labels, effort);
-  }
-
-  /// Returns true if locating the fan in a row costs less than relaxing the entire row.
-  bool HasLongRows() const
-  {
-    return this->Graph.GetNumberOfEdges() >
-      ShortestLongRow * static_cast<Offset>(this->Graph.NumberOfVertices);
   }
 
   /// Computes distances from the nearest seed. Computes the tree, which estimates require, and the

@@ -74,6 +74,8 @@ struct SearchLabels
   /// these vertices.
   std::vector<Id>& Touched;
   double Limit; ///< smallest number above the radius of the search
+  /// Numbers that order the vertices where paths are equally long. Null: the vertices.
+  const Offset* Ids = nullptr;
   /// Targets. The search may stop when the labels of these vertices are final, and leave all
   /// farther vertices unreached. Null: all vertices are searched.
   const std::vector<Id>* Targets = nullptr;
@@ -126,8 +128,8 @@ struct SearchLabels
   void Offer(Id v, const LabelOrigin& origin)
   {
     LabelOrigin& present = this->Origins[v];
-    if (!present.IsSeed() && origin.Tail < present.Tail &&
-      this->Distances[origin.Tail] < this->Distances[v])
+    if (!present.IsSeed() && this->Distances[origin.Tail] < this->Distances[v] &&
+      (this->Ids ? this->Ids[origin.Tail] < this->Ids[present.Tail] : origin.Tail < present.Tail))
     {
       present = origin;
     }

@@ -8,6 +8,7 @@
 #include "dggStatus.h" // for Status
 
 #include <algorithm>   // for std::find
+#include <array>       // for single values
 #include <cstddef>     // for std::size_t
 #include <cstring>     // for std::memcpy
 #include <functional>  // for the exchange
@@ -105,15 +106,31 @@ struct ProcessGroup
     std::vector<Message> messages(static_cast<std::size_t>(this->Count));
     for (Message& message : messages)
     {
-      Append(message, std::vector<T>{ value });
+      Append(message, std::vector<std::array<T, 1>>{ { value } });
     }
     this->Exchange(messages);
     std::vector<T> values;
     for (const Message& message : messages)
     {
-      values.push_back(MessageReader(message).Take<T>().front());
+      values.push_back(MessageReader(message).Take<std::array<T, 1>>().front()[0]);
     }
     return values;
+  }
+
+  /// Returns the values of the first process.
+  template <typename T>
+  std::vector<T> TakeFromFirst(const std::vector<T>& values) const
+  {
+    std::vector<Message> messages(static_cast<std::size_t>(this->Count));
+    for (Message& message : messages)
+    {
+      if (this->Here == 0)
+      {
+        Append(message, values);
+      }
+    }
+    this->Exchange(messages);
+    return MessageReader(messages.front()).Take<T>();
   }
 
   /// Returns true if the condition holds on all processes.

@@ -54,11 +54,15 @@ struct DGG_CORE_EXPORT SourceCollection
   std::vector<double> Barycentric; ///< three each
   ///@}
 
-  /// Locates the points on the surface, or near the points of a cloud. Fails if there is no point,
-  /// an id is out of range, a coordinate or an initial distance is not finite, or a position is too
-  /// far away. `input` has the cells that the surface was made from; unused without Barycentric.
-  /// `tolerance` is the largest distance of a position from the surface, as a fraction of the
-  /// diagonal. Positions between the points of a sparser cloud are accepted as well.
+  /// Fails if there is no point, an id is out of range, or a coordinate or an initial distance is
+  /// not finite.
+  Status Check(Offset numberOfPoints) const;
+
+  /// Locates the points on the surface, or near the points of a cloud. Fails as Check(), or
+  /// if a position is too far away. `input` has the cells that the surface was made from; unused
+  /// without Barycentric. `tolerance` is the largest distance of a position from the surface, as a
+  /// fraction of the diagonal. Positions between the points of a sparser cloud are accepted as
+  /// well.
   Status Locate(const SurfaceArrays& input, const PreparedSurface& surface, double tolerance,
     std::vector<GeodesicSource>& sources) const;
 
@@ -79,7 +83,6 @@ struct DGG_CORE_EXPORT SourceCollection
 private:
   using Position = std::array<double, 3>;
 
-  Status Check(Offset numberOfPoints) const;
   std::size_t GetNumberOfPositions() const { return this->Positions.size() / 3; }
   Position GetPosition(std::size_t i) const;
   std::string Describe(std::size_t i) const;

@@ -205,10 +205,10 @@ void SurfaceRegion::FindHolders(const ProcessGroup& group, bool& isUnique)
   }
 }
 
-Id SurfaceRegion::AddVertex(Offset globalId)
+Id SurfaceRegion::AddVertex(Offset globalId, int owner)
 {
   constexpr double nowhere[3] = { 0.0, 0.0, 0.0 };
-  return this->AddPoint(globalId, nowhere, {});
+  return this->AddPoint(globalId, nowhere, { owner });
 }
 
 /// Adds a point unless it is in the region already. Returns its index.

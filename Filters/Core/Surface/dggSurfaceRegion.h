@@ -60,7 +60,7 @@ public:
   ///@}
   /// Returns the point with a global id. Adds a point without cells if there is none, after which
   /// the region must not grow.
-  Id AddVertex(Offset globalId);
+  Id AddVertex(Offset globalId, int owner);
   /// Returns the points of the region in the order of the vertices of the mesh.
   std::vector<Id> GetOrder() const;
 

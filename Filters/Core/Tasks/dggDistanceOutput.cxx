@@ -91,8 +91,9 @@ std::vector<Id> GetNearestSources(const PreparedSurface& surface, const Distance
 //------------------------------------------------------------------------------
 std::vector<bool> FindReached(const PreparedSurface& surface, const DistanceResults& results)
 {
-  std::vector<bool> isReached(
-    static_cast<std::size_t>(surface.GetMeshWithoutAngles().GetNumberOfVertices()));
+  std::vector<bool> isReached(results.IsSparse
+      ? static_cast<std::size_t>(surface.GetMeshWithoutAngles().GetNumberOfVertices())
+      : results.Distances.size());
   for (std::size_t i = 0; i < results.Distances.size(); ++i)
   {
     const double distance = results.Distances[i];

@@ -254,16 +254,19 @@ double GraphSession::GetLinkAccuracy() const
 
 double GraphSession::WidenLimit(double maximum, const std::vector<GeodesicSource>& sources) const
 {
-  if (!(maximum < Infinity))
-  {
-    return maximum;
-  }
   double offset = Infinity;
   for (const GeodesicSource& source : sources)
   {
     offset = std::min(offset, source.InitialDistance);
   }
-  return maximum + (this->GetLinkAccuracy() + LengthRounding) * std::max(0.0, maximum - offset);
+  return WidenLimit(maximum, offset, this->GetLinkAccuracy());
+}
+
+double GraphSession::WidenLimit(double maximum, double offset, double accuracy)
+{
+  return maximum < Infinity
+    ? maximum + (accuracy + LengthRounding) * std::max(0.0, maximum - offset)
+    : maximum;
 }
 
 const GraphSummary& GraphSession::GetSummary() const

@@ -56,8 +56,12 @@ public:
   void SetLinkAccuracy(double accuracy) { this->DefaultAccuracy = accuracy; }
   double GetLinkAccuracy() const;
   ///@}
-  /// Returns the search radius at which every point closer than `maximum` is reached.
+  ///@{
+  /// Returns the search radius at which every point closer than `maximum` is reached. `offset` is
+  /// the smallest initial distance, `accuracy` that of links.
   double WidenLimit(double maximum, const std::vector<GeodesicSource>& sources) const;
+  static double WidenLimit(double maximum, double offset, double accuracy);
+  ///@}
 
   /// Announces searches for `count` pairs of points. After many pairs, computes distances from
   /// landmarks, which speed up all later searches.

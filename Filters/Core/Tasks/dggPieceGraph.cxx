@@ -124,12 +124,13 @@ public:
     }));
     this->Group.Exchange(messages);
     return this->Group.Run([&] {
-      for (const Message& message : messages)
+      for (int process = 0; process < this->Group.Count; ++process)
       {
-        for (const SentEdge& edge : MessageReader(message).Take<SentEdge>())
+        for (const SentEdge& edge : MessageReader(messages[process]).Take<SentEdge>())
         {
-          this->Edges.push_back({ this->Region.AddVertex(edge.Source),
-            this->Region.AddVertex(edge.Target), edge.Length, edge.Departure, edge.Arrival });
+          const Id source = this->Region.AddVertex(edge.Source, process);
+          const Id target = this->Region.AddVertex(edge.Target, this->Group.Here);
+          this->Edges.push_back({ source, target, edge.Length, edge.Departure, edge.Arrival });
         }
       }
       return Status::Success();
@@ -223,8 +224,7 @@ Status Assemble(const TaskContext& context, std::vector<RegionEdge>& edges,
     rows, ids, isWide, context.Parallel, ProgressPart(context.Progress, FindingShare, 1.0), graph);
 }
 
-/// Returns a graph with the rows of `from` in another order. `rows[v]` is a row of `from`, or NoId
-/// for a row without edges; `targets` are the new ids of the vertices of `from`.
+/// Returns a graph with some rows of `from`. `targets` are the new ids of the vertices of `from`.
 void TakeRows(const GeodesicGraph& from, const std::vector<Id>& rows,
   const std::vector<Id>& targets, GeodesicGraph& graph)
 {
@@ -232,9 +232,7 @@ void TakeRows(const GeodesicGraph& from, const std::vector<Id>& rows,
   graph.Offsets[0] = 0;
   for (std::size_t v = 0; v < rows.size(); ++v)
   {
-    const Id row = rows[v];
-    graph.Offsets[v + 1] =
-      graph.Offsets[v] + (row == NoId ? 0 : from.Offsets[row + 1] - from.Offsets[row]);
+    graph.Offsets[v + 1] = graph.Offsets[v] + from.Offsets[rows[v] + 1] - from.Offsets[rows[v]];
   }
   const auto size = static_cast<std::size_t>(graph.Offsets[rows.size()]);
   graph.Targets = Buffer<Id>(size);
@@ -242,8 +240,8 @@ void TakeRows(const GeodesicGraph& from, const std::vector<Id>& rows,
     values = std::decay_t<decltype(values)>(source.IsEmpty() ? 0 : size);
     for (std::size_t v = 0; v < rows.size() && !source.IsEmpty(); ++v)
     {
-      std::copy_n(rows[v] == NoId ? source.Data() : source.Data() + from.Offsets[rows[v]],
-        graph.Offsets[v + 1] - graph.Offsets[v], values.Data() + graph.Offsets[v]);
+      std::copy_n(source.Data() + from.Offsets[rows[v]], graph.Offsets[v + 1] - graph.Offsets[v],
+        values.Data() + graph.Offsets[v]);
     }
   };
   copy(from.Targets, graph.Targets);
@@ -255,32 +253,40 @@ void TakeRows(const GeodesicGraph& from, const std::vector<Id>& rows,
   copy(from.ArrivalAngles, graph.ArrivalAngles);
 }
 
-/// Divides a graph, whose vertices are the points of the region in the order `order`, into the rows
-/// of the piece and ghosts.
+/// Takes the points of the piece, and ghosts, from a graph of the points of the region in the order
+/// `order`.
 void MakePiece(const SurfaceRegion& region, const std::vector<Id>& order, std::size_t n, int here,
   const GeodesicGraph& from, PieceGraph& graph)
 {
   std::vector<Id> targets(order.size(), NoId);
-  std::vector<Id> rows(n, NoId);
+  std::vector<Id> rows(n);
   std::vector<Offset> ghosts;
+  std::vector<Id> points(n); // of the region, per vertex
+  std::iota(points.begin(), points.end(), 0);
   for (std::size_t v = 0; v < order.size(); ++v)
   {
     const Id point = order[v];
     if (static_cast<std::size_t>(point) < n)
     {
       targets[v] = point;
-      rows[point] = region.GetOwner(point) == here ? static_cast<Id>(v) : NoId;
+      rows[point] = static_cast<Id>(v);
     }
     else if (from.Offsets[v + 1] > from.Offsets[v]) // the end of an edge of this process
     {
-      targets[v] = static_cast<Id>(n + ghosts.size());
+      targets[v] = static_cast<Id>(rows.size());
+      rows.push_back(static_cast<Id>(v));
+      points.push_back(point);
       ghosts.push_back(region.GetPointId(point));
     }
   }
-  rows.insert(rows.end(), ghosts.size(), NoId);
   TakeRows(from, rows, targets, graph.Rows);
   graph.GhostIds = Buffer<Offset>(ghosts.size());
   std::copy(ghosts.begin(), ghosts.end(), graph.GhostIds.begin());
+  graph.Owners = Buffer<Id>(points.size());
+  std::transform(points.begin(), points.end(), graph.Owners.begin(), [&](Id point) {
+    const int owner = region.GetOwner(point);
+    return owner == here ? GhostVertices::Here : owner;
+  });
 }
 }
 
@@ -311,6 +317,15 @@ Signature SumSignatures(const std::vector<Signature>& pieces)
     sum[1] += part[1];
   }
   return sum;
+}
+
+GraphOptions ShareOptions(const ProcessGroup& group, const GraphOptions& options)
+{
+  GraphOptions shared = options;
+  shared.Construction = group.Share(options.Construction).front();
+  shared.Accuracy = group.Share(options.Accuracy).front();
+  shared.NumberOfNeighbors = group.Share(options.NumberOfNeighbors).front();
+  return shared;
 }
 
 Status BuildPieceGraph(const TaskContext& context, const ProcessGroup& group,
@@ -354,7 +369,10 @@ Status JoinPieceGraphs(const std::vector<StoredPiece>& pieces, const Offset* glo
     {
       for (std::size_t row = 0; row < piece.Points->size(); ++row)
       {
-        visit(piece, (*piece.Points)[row], piece.Rows.Offsets[row], piece.Rows.Offsets[row + 1]);
+        if (piece.Ghosts.Owners[row] == GhostVertices::Here)
+        {
+          visit(piece, (*piece.Points)[row], piece.Rows.Offsets[row], piece.Rows.Offsets[row + 1]);
+        }
       }
     }
   };
@@ -379,10 +397,11 @@ Status JoinPieceGraphs(const std::vector<StoredPiece>& pieces, const Offset* glo
       const auto target = static_cast<std::size_t>(piece.Rows.Targets[e]);
       const std::size_t points = piece.Points->size();
       const Offset* const last = globalIds + numberOfPoints;
-      const Offset* const ghost =
-        target < points ? last : std::lower_bound(globalIds, last, piece.GhostIds[target - points]);
+      const Offset* const ghost = target < points
+        ? last
+        : std::lower_bound(globalIds, last, piece.Ghosts.Ids[target - points]);
       isComplete = isComplete &&
-        (target < points || (ghost != last && *ghost == piece.GhostIds[target - points]));
+        (target < points || (ghost != last && *ghost == piece.Ghosts.Ids[target - points]));
       graph.Targets[to + e - begin] =
         static_cast<Id>(target < points ? (*piece.Points)[target] : ghost - globalIds);
     }

@@ -10,6 +10,7 @@
 #include "dggGeodesicGraph.h" // for the rows
 #include "dggGraphBuilder.h"  // for the options
 #include "dggProcessGroup.h"  // for messages
+#include "dggStoredGraph.h"   // for the ghosts
 #include "dggSurfacePieces.h" // for pieces
 
 #include <vector> // for pieces
@@ -19,18 +20,23 @@ namespace dgg
 struct TaskContext;
 
 /// The part of a graph that belongs to a piece of a surface. Vertices are the points of the piece,
-/// followed by ghosts: points of other pieces at the ends of edges. Only points that belong to this
-/// process (SurfaceRegion) have edges. `Info.Surface` is the signature of all pieces.
+/// followed by ghosts: points of other pieces at the ends of edges. Vertices that belong to this
+/// process (SurfaceRegion) have all of their edges, and others have their edges to these.
+/// `Info.Surface` is the signature of all pieces.
 struct PieceGraph
 {
   GeodesicGraph Rows;
   Buffer<Offset> GhostIds; ///< global ids, ascending
+  Buffer<Id> Owners;       ///< see GhostVertices
 };
 
 /// Returns the signature of a piece.
 DGG_CORE_EXPORT Signature ComputeSignature(const SurfacePiece& piece);
 /// Returns the signature of all pieces, which does not depend on their order.
 DGG_CORE_EXPORT Signature SumSignatures(const std::vector<Signature>& pieces);
+
+/// Returns the options of the first process, except for callbacks.
+DGG_CORE_EXPORT GraphOptions ShareOptions(const ProcessGroup& group, const GraphOptions& options);
 
 /// Builds the graph of a surface together with the other processes; each one builds the rows of its
 /// piece, which has no ghosts. All pieces together are the graph that one process would build of
@@ -46,7 +52,7 @@ DGG_CORE_EXPORT Status BuildPieceGraph(const TaskContext& context, const Process
 struct StoredPiece
 {
   GraphView Rows;
-  const Offset* GhostIds = nullptr;
+  GhostVertices Ghosts;
   const std::vector<Offset>* Points = nullptr; ///< per point of the piece, its id on the surface
 };
 

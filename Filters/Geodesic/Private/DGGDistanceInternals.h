@@ -13,6 +13,10 @@
 #include <vector> // for arrays
 
 struct DGGSourceSet;
+namespace dgg
+{
+struct SourceCollection;
+}
 class vtkGeodesicDistanceAlgorithm;
 
 /// The steps of an update of a vtkGeodesicDistanceAlgorithm, except the computation of distances.
@@ -24,6 +28,9 @@ public:
   dgg::Status CheckProperties() const override;
   dgg::Status Execute(const DGGContext& context, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
+  bool CanDistribute() const override;
+  dgg::Status ExecutePiece(const DGGContext& context, const dgg::ProcessGroup& group,
+    const dgg::SurfacePiece& piece, vtkInformationVector* outputVector, bool& isDone) override;
   bool PassesSurface() const override { return true; }
   void MakeEmptyOutput(const DGGContext& context, vtkInformationVector* outputVector) override;
   std::string GetMemoryRemedy() const override
@@ -35,6 +42,13 @@ public:
   /// `Arrays` of the task come from DeclareArrays(). Returns an error, which is reported, or the
   /// status of an abort by the progress of the context. May throw.
   virtual dgg::Status ComputeDistances(const DGGContext& context, dgg::DistanceTask& task) = 0;
+
+  /// Adds distances on a piece to the results, together with the other processes; the arguments are
+  /// the same on all of them. `isDone` becomes false on all processes if the pieces must be
+  /// gathered, which is the default.
+  virtual dgg::Status ComputePiece(const DGGContext& context, const dgg::ProcessGroup& group,
+    const dgg::SurfacePiece& piece, const dgg::SourceCollection& sources,
+    const dgg::DistanceRequest& request, dgg::DistanceOutput& results, bool& isDone);
 
   /// Reports why distances may be far off; an empty text for no reason.
   virtual void ReportQuality(const std::string& warning) { this->WarnAboutQuality(warning); }

@@ -4,6 +4,7 @@
 #include "DGGProperties.h"
 
 #include "dggGraphBuildTask.h"
+#include "dggPieceGraph.h"
 #include "dggStatus.h"
 
 #include "vtkObject.h"
@@ -64,6 +65,7 @@ dgg::Status DGGGraphUser::Update(const DGGContext& context, vtkObject* filter)
   dgg::GraphOptions options;
   options.Accuracy = this->Accuracy;
   DGG_RETURN_IF_ERROR(this->Check());
+  this->Piece.reset();
   this->SetLinkAccuracy(this->Accuracy);
   vtkFieldData* data = context.Input->GetFieldData();
   if (this->IsFromInput() && !this->InputGraph.IsSame(data, context.Surface))
@@ -103,6 +105,37 @@ dgg::Status DGGGraphUser::Update(const DGGContext& context, vtkObject* filter)
   if (!status.IsOk())
   {
     this->ForgetGraph();
+  }
+  return status;
+}
+
+//------------------------------------------------------------------------------
+dgg::Status DGGGraphUser::UpdatePiece(const DGGContext& context, const dgg::ProcessGroup& group,
+  const dgg::SurfacePiece& piece, vtkObject* filter, bool& isDone)
+{
+  this->ForgetGraph();
+  if (!this->Piece)
+  {
+    this->Piece = std::make_unique<DGGPieceGraph>();
+    this->WarnedAccuracy = 0.0;
+  }
+  dgg::GraphOptions options;
+  options.Accuracy = this->Accuracy;
+  std::string warning;
+  const dgg::Status status = this->Piece->Update(
+    context, group, piece, dgg::ShareOptions(group, options), true, isDone, warning);
+  if (!warning.empty())
+  {
+    vtkWarningWithObjectMacro(filter, << DGGRender(warning) << ".");
+  }
+  if (!status.IsOk() || !isDone)
+  {
+    this->Piece.reset();
+    return status;
+  }
+  if (this->IsFromInput())
+  {
+    this->WarnAboutAccuracy(filter);
   }
   return status;
 }

@@ -8,6 +8,7 @@
 #include "DGGContext.h"         // for the update
 #include "DGGFilterInternals.h" // for the base
 #include "DGGGraphArrays.h"     // for the graph on the input
+#include "DGGPieceGraph.h"      // for the graph of a piece
 
 #include "dggGraphSession.h" // for the base
 
@@ -15,6 +16,8 @@
 #include "vtkPolyData.h"  // for the input
 #include "vtkTimeStamp.h" // for the build time
 
+#include <cstddef> // for std::size_t
+#include <memory>  // for the graph of a piece
 #include <ostream> // for PrintSelf()
 
 class vtkObject;
@@ -43,12 +46,33 @@ public:
   /// input that cannot be used, or is coarser than the accuracy that was set.
   dgg::Status Update(const DGGContext& context, vtkObject* filter);
 
+  /// Updates the graph of a piece in the same manner, together with the other processes. `isDone`
+  /// becomes false on all processes if the pieces must be gathered.
+  dgg::Status UpdatePiece(const DGGContext& context, const dgg::ProcessGroup& group,
+    const dgg::SurfacePiece& piece, vtkObject* filter, bool& isDone);
+  /// Returns the graph of the piece; null if the last update was not by UpdatePiece().
+  const DGGGraphArrays* GetPiece() const { return this->Piece ? &this->Piece->Get() : nullptr; }
+
   ///@{
-  /// Values of getters: true if the graph is on the input, true if its accuracy is guaranteed, and
-  /// the time of the last build of a graph.
-  bool IsFromInput() const { return this->UsedInput != 0; }
-  bool IsGuaranteed() const { return this->HasGraph() && this->GetSummary().Info.IsGuaranteed(); }
-  vtkMTimeType GetBuildTime() const { return this->BuildTime.GetMTime(); }
+  /// Values of getters: the properties of the graph, true if it is on the input, true if its
+  /// accuracy is guaranteed, and the time of the last build of a graph.
+  const dgg::GraphSummary& GetSummary() const
+  {
+    return this->Piece ? this->Piece->GetSummary() : GraphSession::GetSummary();
+  }
+  std::size_t GetMemorySize() const
+  {
+    return this->Piece ? this->Piece->GetSummary().MemorySize : GraphSession::GetMemorySize();
+  }
+  bool IsFromInput() const { return this->Piece ? this->Piece->IsOnInput() : this->UsedInput != 0; }
+  bool IsGuaranteed() const
+  {
+    return (this->Piece || this->HasGraph()) && this->GetSummary().Info.IsGuaranteed();
+  }
+  vtkMTimeType GetBuildTime() const
+  {
+    return this->Piece ? this->Piece->GetBuildTime() : this->BuildTime.GetMTime();
+  }
   ///@}
 
 private:
@@ -67,6 +91,7 @@ private:
   double OwnAccuracy = 0.0;    // accuracy of the graph built here; 0 if unused
   double WarnedAccuracy = 0.0; // accuracy in the last warning
   vtkTimeStamp BuildTime;
+  std::unique_ptr<DGGPieceGraph> Piece; // null unless a piece was updated last
 };
 
 /// Private implementation of filters of one class that search a graph. An input with the graph of a

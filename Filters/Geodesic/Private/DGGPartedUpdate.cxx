@@ -246,7 +246,7 @@ dgg::Status DGGPartedUpdate::JoinGraphsHere(
       return dgg::Status::Success(); // the step complains
     }
     pieces.push_back(
-      { graph.GetView(), graph.GetGraph().GetGhosts().Ids, &this->Ports[0].Joined.GetPointIds(p) });
+      { graph.GetView(), graph.GetGraph().GetGhosts(), &this->Ports[0].Joined.GetPointIds(p) });
   }
   const dgg::Signature signature = dgg::SumSignatures(signatures);
   const dgg::GraphInfo& first = pieces.front().Rows.Info;

@@ -1,0 +1,520 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "dggPieceSearch.h"
+
+#include "dggBucketSearch.h"
+#include "dggGroups.h"
+#include "dggProgressPart.h"
+#include "dggSurfaceRegion.h"
+
+#include <algorithm>
+#include <unordered_map>
+#include <utility>
+
+namespace dgg
+{
+namespace
+{
+/// Progress weight of finding labels if the tree is followed as well.
+constexpr double LabelShare = 0.7;
+
+/// What a process contributes to the numbers of the whole graph.
+struct PartNumbers
+{
+  Offset Points = 0;
+  Offset Edges = 0;
+  Offset LargestId = NoId;
+};
+
+/// First value of a message about arrivals.
+struct RoundState
+{
+  bool IsFinished; ///< all vertices of the process have arrivals
+  bool HasValues;  ///< the process sends arrivals to any process
+};
+
+/// A value of the k-th vertex that two processes share.
+template <typename Value>
+struct SharedValue
+{
+  Id Index;
+  Value Content;
+};
+
+/// Returns one list per process of the values that `valueOf` returns.
+template <typename ValueOf>
+auto ListValues(const std::vector<std::vector<Id>>& vertices, const ValueOf& valueOf)
+{
+  std::vector<std::vector<decltype(valueOf(Id()))>> lists(vertices.size());
+  for (std::size_t process = 0; process < vertices.size(); ++process)
+  {
+    std::transform(vertices[process].begin(), vertices[process].end(),
+      std::back_inserter(lists[process]), valueOf);
+  }
+  return lists;
+}
+
+/// Sends one list to each process, and returns the lists from them.
+template <typename Value>
+Status ExchangeLists(const ProcessGroup& group, std::vector<std::vector<Value>>& lists)
+{
+  std::vector<Message> messages(lists.size());
+  DGG_RETURN_IF_ERROR(group.Run([&] {
+    for (std::size_t process = 0; process < lists.size(); ++process)
+    {
+      Append(messages[process], lists[process]);
+    }
+    return Status::Success();
+  }));
+  group.Exchange(messages);
+  return group.Run([&] {
+    for (std::size_t process = 0; process < lists.size(); ++process)
+    {
+      lists[process] = MessageReader(messages[process]).Take<Value>();
+    }
+    return Status::Success();
+  });
+}
+}
+
+Status PieceSearch::Prepare(const ProcessGroup& group, const SurfacePiece& piece,
+  const GraphView& graph, const GhostVertices& ghosts, bool& isUsable)
+{
+  *this = PieceSearch();
+  this->Graph = graph;
+  this->Ghosts = ghosts;
+  this->PointsHere = static_cast<Id>(piece.NumberOfPoints);
+  this->Sent.resize(static_cast<std::size_t>(group.Count));
+  this->Received.resize(static_cast<std::size_t>(group.Count));
+  DGG_RETURN_IF_ERROR(this->FindReaders(group, piece, isUsable));
+  return isUsable ? this->MeasureAngles(group, piece, isUsable) : Status::Success();
+}
+
+/// Finds the processes that have vertices of this process as well.
+Status PieceSearch::FindReaders(
+  const ProcessGroup& group, const SurfacePiece& piece, bool& isUsable)
+{
+  bool isComplete = true;
+  std::vector<std::vector<Offset>> requested;
+  std::unordered_map<Offset, Id> vertices; // of this process, by global id
+  DGG_RETURN_IF_ERROR(group.Run([&] {
+    this->Ids.assign(piece.PointIds, piece.PointIds + piece.NumberOfPoints);
+    this->Ids.insert(this->Ids.end(), this->Ghosts.Ids, this->Ghosts.Ids + this->Ghosts.Count);
+    for (Id v = 0; v < this->Graph.NumberOfVertices; ++v)
+    {
+      if (this->IsHere(v))
+      {
+        vertices.emplace(this->Ids[v], v);
+      }
+      else if (this->Ghosts.Owners[v] >= 0 && this->Ghosts.Owners[v] < group.Count)
+      {
+        this->Received[this->Ghosts.Owners[v]].push_back(v);
+      }
+      else
+      {
+        isComplete = false;
+      }
+    }
+    requested = ListValues(this->Received, [this](Id v) { return this->Ids[v]; });
+    return Status::Success();
+  }));
+  DGG_RETURN_IF_ERROR(ExchangeLists(group, requested));
+  DGG_RETURN_IF_ERROR(group.Run([&] {
+    for (std::size_t process = 0; process < requested.size(); ++process)
+    {
+      for (const Offset id : requested[process])
+      {
+        const auto found = vertices.find(id);
+        isComplete = isComplete && found != vertices.end();
+        this->Sent[process].push_back(found != vertices.end() ? found->second : 0);
+      }
+      this->LastSent.emplace_back(requested[process].size(), Infinity);
+    }
+    return Status::Success();
+  }));
+  isUsable = group.Holds(isComplete);
+  return Status::Success();
+}
+
+/// Measures the angles around all vertices, and prepares what depends on them.
+Status PieceSearch::MeasureAngles(
+  const ProcessGroup& group, const SurfacePiece& piece, bool& isUsable)
+{
+  SurfaceRegion region;
+  DGG_RETURN_IF_ERROR(region.Start(group, piece, isUsable));
+  if (!isUsable)
+  {
+    return Status::Success();
+  }
+  DGG_RETURN_IF_ERROR(region.Grow(group, 1, true)); // all cells at the points of the piece
+  SurfaceMesh mesh;
+  std::vector<std::uint8_t> isRim;
+  SurfaceFacts facts;
+  DGG_RETURN_IF_ERROR(region.MakeMesh(group, mesh, isRim, facts));
+  std::vector<VertexAngle> angles(static_cast<std::size_t>(this->Graph.NumberOfVertices));
+  std::vector<std::vector<VertexAngle>> sent;
+  DGG_RETURN_IF_ERROR(group.Run([&] {
+    const std::vector<VertexAngle> ofMesh = MeasureVertexAngles(mesh);
+    const std::vector<Id> order = region.GetOrder();
+    for (std::size_t i = 0; i < order.size(); ++i)
+    {
+      if (order[i] < this->PointsHere)
+      {
+        angles[order[i]] = ofMesh[i];
+      }
+    }
+    sent = ListValues(this->Sent, [&](Id v) { return angles[v]; });
+    return Status::Success();
+  }));
+  DGG_RETURN_IF_ERROR(ExchangeLists(group, sent));
+  PartNumbers here;
+  for (Id v = 0; v < this->Graph.NumberOfVertices; ++v)
+  {
+    if (this->IsHere(v))
+    {
+      ++here.Points;
+      here.Edges += this->Graph.Offsets[v + 1] - this->Graph.Offsets[v];
+      here.LargestId = std::max(here.LargestId, this->Ids[v]);
+    }
+  }
+  PartNumbers all;
+  for (const PartNumbers& part : group.Share(here))
+  {
+    all.Points += part.Points;
+    all.Edges += part.Edges;
+    all.LargestId = std::max(all.LargestId, part.LargestId);
+  }
+  this->NumberOfPoints = all.Points;
+  this->LargestId = all.LargestId;
+  return group.Run([&] {
+    for (std::size_t process = 0; process < sent.size(); ++process)
+    {
+      for (std::size_t k = 0; k < sent[process].size(); ++k)
+      {
+        angles[this->Received[process][k]] = sent[process][k];
+      }
+    }
+    const double deviation = LargestDeviation(this->Graph.Info,
+      static_cast<double>(all.Edges) / std::max<double>(1.0, static_cast<double>(all.Points)));
+    this->BucketWidth = ChooseBucketWidth(this->Graph);
+    if (GraphFans::AreWorthwhile(this->Graph))
+    {
+      this->Fans = std::make_unique<const GraphFans>(this->Graph, angles, deviation);
+    }
+    this->Correction = std::make_unique<const LabelCorrection>(
+      this->Graph, std::move(angles), deviation, mesh.GetMeanEdgeLength());
+    return Status::Success();
+  });
+}
+
+Status PieceSearch::Run(const ProcessGroup& group, const std::vector<PieceSeed>& seeds,
+  const PieceSearchOptions& options, PieceDistances& result)
+{
+  result = PieceDistances();
+  std::vector<GraphSeed> here;
+  double smallestOffset = Infinity;
+  DGG_RETURN_IF_ERROR(group.Run([&] {
+    std::unordered_map<Offset, Id> vertices;
+    for (const PieceSeed& seed : seeds)
+    {
+      smallestOffset = std::min(smallestOffset, LabelCorrection::OffsetOf(seed.Seed));
+      vertices.emplace(seed.PointId, NoId);
+    }
+    for (Id v = 0; v < this->Graph.NumberOfVertices; ++v)
+    {
+      const auto found = vertices.find(this->Ids[v]);
+      if (found != vertices.end())
+      {
+        found->second = v;
+      }
+    }
+    for (const PieceSeed& seed : seeds)
+    {
+      const Id v = vertices[seed.PointId];
+      if (v != NoId)
+      {
+        here.push_back(seed.Seed);
+        here.back().Vertex = v;
+      }
+    }
+    return Status::Success();
+  }));
+  DGG_RETURN_IF_ERROR(this->FindLabels(group, here, options));
+  std::vector<Arrival> arrivals;
+  if (options.Correct || options.FindSources)
+  {
+    DGG_RETURN_IF_ERROR(this->FollowTree(
+      group, here, smallestOffset, ProgressPart(options.Progress, LabelShare, 1.0), arrivals));
+  }
+  return group.Run([&] {
+    const auto points = static_cast<std::size_t>(this->PointsHere);
+    result.Labels.assign(this->Distances.begin(), this->Distances.begin() + this->PointsHere);
+    result.Corrected.assign(options.Correct ? points : 0, Infinity);
+    result.NearestSource.assign(options.FindSources ? points : 0, NoId);
+    for (std::size_t i = 0; i < points && !arrivals.empty(); ++i)
+    {
+      if (options.Correct && arrivals[i].Source != NoId)
+      {
+        result.Corrected[i] = arrivals[i].Estimate.Distance;
+      }
+      if (options.FindSources)
+      {
+        result.NearestSource[i] = arrivals[i].Source;
+      }
+    }
+    return ReportTo(options.Progress, 1.0);
+  });
+}
+
+/// Finds the labels of all vertices, and the tree of the vertices of this process.
+Status PieceSearch::FindLabels(
+  const ProcessGroup& group, const std::vector<GraphSeed>& seeds, const PieceSearchOptions& options)
+{
+  SearchLabels labels(this->Distances, this->Origins, this->Touched, options.MaximumDistance);
+  labels.Ids = this->Ids.data();
+  const bool isTreeFollowed = options.Correct || options.FindSources;
+  const ProgressCallback whole =
+    ProgressPart(options.Progress, 0.0, isTreeFollowed ? LabelShare : 1.0);
+  const ProgressCallback progress = [&](double) {
+    return ShouldContinue(whole,
+      static_cast<double>(this->Touched.size()) / std::max<Id>(1, this->Graph.NumberOfVertices));
+  };
+  for (std::vector<double>& sent : this->LastSent)
+  {
+    std::fill(sent.begin(), sent.end(), Infinity);
+  }
+  std::vector<Message> messages;
+  for (bool isFirst = true, isOver = false; !isOver; isFirst = false)
+  {
+    DGG_RETURN_IF_ERROR(group.Run([&] {
+      if (!this->LowerLabels(
+            isFirst ? seeds : this->ReadLowered(messages), isFirst, labels, progress))
+      {
+        return Status::Abort();
+      }
+      this->CollectLowered(messages);
+      return ReportTo(progress, 0.0);
+    }));
+    group.Exchange(messages);
+    isOver = std::all_of(messages.begin(), messages.end(),
+      [](const Message& message) { return MessageReader(message).Take<char>().front() == 0; });
+  }
+  return Status::Success();
+}
+
+/// Searches from seeds, the first or further ones. Returns false if aborted.
+bool PieceSearch::LowerLabels(const std::vector<GraphSeed>& seeds, bool areFirst,
+  SearchLabels& labels, const ProgressCallback& progress)
+{
+  if (areFirst)
+  {
+    labels.Start(this->Graph.NumberOfVertices, seeds);
+    SearchEffort effort;
+    return seeds.empty() ||
+      RunBucketSearch(this->Graph, this->Fans.get(), seeds, this->BucketWidth, progress,
+        this->Queue, labels, effort);
+  }
+  return seeds.empty() ||
+    dgg::LowerLabels(this->Graph, this->Fans.get(), seeds, this->BucketWidth, progress, this->Queue,
+      labels, this->Lowered);
+}
+
+/// Makes messages with the labels that have been lowered since they were last sent. Every message
+/// starts with a flag that tells if any label is sent.
+void PieceSearch::CollectLowered(std::vector<Message>& messages)
+{
+  std::vector<std::vector<SharedValue<double>>> lists(this->Sent.size());
+  bool isAnySent = false;
+  for (std::size_t process = 0; process < this->Sent.size(); ++process)
+  {
+    for (std::size_t k = 0; k < this->Sent[process].size(); ++k)
+    {
+      const double label = this->Distances[this->Sent[process][k]];
+      double& sent = this->LastSent[process][k];
+      if (label < sent)
+      {
+        sent = label;
+        lists[process].push_back({ static_cast<Id>(k), label });
+        isAnySent = true;
+      }
+    }
+  }
+  messages.assign(this->Sent.size(), Message());
+  for (std::size_t process = 0; process < this->Sent.size(); ++process)
+  {
+    Append(messages[process], std::vector<char>{ static_cast<char>(isAnySent ? 1 : 0) });
+    Append(messages[process], lists[process]);
+  }
+}
+
+/// Returns the labels in messages that are lower than those here.
+std::vector<GraphSeed> PieceSearch::ReadLowered(const std::vector<Message>& messages) const
+{
+  std::vector<GraphSeed> lowered;
+  for (std::size_t process = 0; process < messages.size(); ++process)
+  {
+    MessageReader reader(messages[process]);
+    reader.Take<char>();
+    for (const SharedValue<double>& value : reader.Take<SharedValue<double>>())
+    {
+      const Id v = this->Received[process][value.Index];
+      if (value.Content < this->Distances[v])
+      {
+        lowered.push_back({ v, value.Content, value.Content });
+      }
+    }
+  }
+  return lowered;
+}
+
+/// Vertices of this process by their tails, and what is left to do.
+struct PieceSearch::Tree
+{
+  Groups Children;                      // of all vertices
+  std::vector<Id> Ready;                // vertices with a known tail
+  std::size_t NumberLeft = 0;           // vertices without an arrival
+  std::vector<std::vector<Id>> Pending; // per process, indices into Sent that it waits for
+
+  void AddChildren(Id v)
+  {
+    this->Ready.insert(this->Ready.end(), this->Children.Members.begin() + this->Children.Begins[v],
+      this->Children.Members.begin() + this->Children.Begins[v + 1]);
+  }
+};
+
+/// Computes the arrivals at the vertices of this process, and at the other points of the piece. The
+/// tree crosses pieces: arrivals are sent to the processes that need them as they become known.
+Status PieceSearch::FollowTree(const ProcessGroup& group, const std::vector<GraphSeed>& seeds,
+  double smallestOffset, const ProgressCallback& progress, std::vector<Arrival>& arrivals)
+{
+  Tree tree;
+  std::vector<std::vector<Id>> needed(this->Received.size()); // indices into Received
+  DGG_RETURN_IF_ERROR(group.Run([&] {
+    const Id n = this->Graph.NumberOfVertices;
+    arrivals.assign(static_cast<std::size_t>(n), Arrival());
+    const auto isReachedHere = [&](
+                                 Id v) { return this->IsHere(v) && this->Distances[v] < Infinity; };
+    tree.Children = MakeGroups(n, n, [&](Id v) {
+      return isReachedHere(v) && !this->Origins[v].IsSeed() ? this->Origins[v].Tail : NoId;
+    });
+    for (Id v = 0; v < n; ++v)
+    {
+      tree.NumberLeft += isReachedHere(v) ? 1 : 0;
+      if (isReachedHere(v) && this->Origins[v].IsSeed())
+      {
+        tree.Ready.push_back(v);
+      }
+    }
+    for (std::size_t process = 0; process < needed.size(); ++process)
+    {
+      for (std::size_t k = 0; k < this->Received[process].size(); ++k)
+      {
+        const Id v = this->Received[process][k];
+        const bool isTail = tree.Children.Begins[v] < tree.Children.Begins[v + 1];
+        if (isTail || (v < this->PointsHere && this->Distances[v] < Infinity))
+        {
+          needed[process].push_back(static_cast<Id>(k));
+        }
+      }
+    }
+    return Status::Success();
+  }));
+  DGG_RETURN_IF_ERROR(ExchangeLists(group, needed));
+  tree.Pending = std::move(needed);
+  std::vector<Message> messages;
+  for (bool isOver = false; !isOver;)
+  {
+    DGG_RETURN_IF_ERROR(group.Run([&] {
+      this->ReadArrivals(messages, tree, arrivals);
+      this->Descend(seeds, smallestOffset, tree, arrivals);
+      this->CollectArrivals(arrivals, tree, messages);
+      return ReportTo(progress, 0.0);
+    }));
+    group.Exchange(messages);
+    isOver = true;
+    bool isAnySent = false;
+    for (const Message& message : messages)
+    {
+      const RoundState state = MessageReader(message).Take<RoundState>().front();
+      isOver = isOver && state.IsFinished;
+      isAnySent = isAnySent || state.HasValues;
+    }
+    if (!isOver && !isAnySent)
+    {
+      return Status(Status::Code::DamagedGraph, "The pieces of a graph do not belong together");
+    }
+  }
+  return group.Run([&] {
+    this->ReadArrivals(messages, tree, arrivals);
+    return Status::Success();
+  });
+}
+
+/// Enters the arrivals in messages.
+void PieceSearch::ReadArrivals(
+  const std::vector<Message>& messages, Tree& tree, std::vector<Arrival>& arrivals) const
+{
+  for (std::size_t process = 0; process < messages.size(); ++process)
+  {
+    MessageReader reader(messages[process]);
+    reader.Take<RoundState>();
+    for (const SharedValue<Arrival>& value : reader.Take<SharedValue<Arrival>>())
+    {
+      const Id v = this->Received[process][value.Index];
+      arrivals[v] = value.Content;
+      tree.AddChildren(v);
+    }
+  }
+}
+
+/// Computes the arrivals at all vertices that can be reached from vertices with known tails.
+void PieceSearch::Descend(const std::vector<GraphSeed>& seeds, double smallestOffset, Tree& tree,
+  std::vector<Arrival>& arrivals) const
+{
+  while (!tree.Ready.empty())
+  {
+    const Id v = tree.Ready.back();
+    tree.Ready.pop_back();
+    const LabelOrigin& origin = this->Origins[v];
+    if (origin.IsSeed())
+    {
+      const GraphSeed& seed = seeds[origin.Tail];
+      arrivals[v] = { LabelCorrection::EstimateOf(seed), seed.Source };
+    }
+    else
+    {
+      const Arrival& tail = arrivals[origin.Tail];
+      arrivals[v] = { this->Correction->Extend({ origin.Edge, v, origin.Tail }, this->Distances[v],
+                        tail.Estimate, smallestOffset),
+        tail.Source };
+    }
+    tree.AddChildren(v);
+    --tree.NumberLeft;
+  }
+}
+
+/// Makes messages with the arrivals that other processes wait for.
+void PieceSearch::CollectArrivals(
+  const std::vector<Arrival>& arrivals, Tree& tree, std::vector<Message>& messages) const
+{
+  std::vector<std::vector<SharedValue<Arrival>>> lists(this->Sent.size());
+  RoundState state{ tree.NumberLeft == 0, false };
+  for (std::size_t process = 0; process < lists.size(); ++process)
+  {
+    std::vector<Id>& pending = tree.Pending[process];
+    const auto left = std::partition(pending.begin(), pending.end(),
+      [&](Id k) { return arrivals[this->Sent[process][k]].Source != NoId; });
+    std::for_each(pending.begin(), left, [&](Id k) {
+      lists[process].push_back({ k, arrivals[this->Sent[process][k]] });
+    });
+    pending.erase(pending.begin(), left);
+    state.HasValues = state.HasValues || !lists[process].empty();
+  }
+  messages.assign(lists.size(), Message());
+  for (std::size_t process = 0; process < lists.size(); ++process)
+  {
+    Append(messages[process], std::vector<RoundState>{ state });
+    Append(messages[process], lists[process]);
+  }
+}
+}

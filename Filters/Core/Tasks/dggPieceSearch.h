@@ -1,0 +1,125 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Distances along the graph of a surface that several processes have in pieces. Internal.
+#ifndef dggPieceSearch_h
+#define dggPieceSearch_h
+
+#include "dggBucketQueue.h"     // for the queue
+#include "dggCoreExport.h"      // for DGG_CORE_EXPORT
+#include "dggGraphFans.h"       // for fans
+#include "dggGraphSearch.h"     // for seeds
+#include "dggLabelCorrection.h" // for estimates
+#include "dggProcessGroup.h"    // for messages
+#include "dggSearchLabels.h"    // for labels
+#include "dggStoredGraph.h"     // for ghosts
+#include "dggSurfacePieces.h"   // for the piece
+
+#include <cstddef> // for std::size_t
+#include <memory>  // for the correction
+#include <vector>  // for the results
+
+namespace dgg
+{
+/// A seed at a point with a global id; `Seed.Vertex` is not used.
+struct PieceSeed
+{
+  Offset PointId = NoId;
+  GraphSeed Seed;
+};
+
+/// Options of a search. They must be the same on all processes.
+struct PieceSearchOptions
+{
+  /// Vertices farther than this distance are left unreached.
+  double MaximumDistance = Infinity;
+  /// If true, PieceDistances::Corrected is filled.
+  bool Correct = false;
+  /// If true, PieceDistances::NearestSource is filled.
+  bool FindSources = false;
+  ProgressCallback Progress; ///< may be empty
+};
+
+/// Results at the points of a piece.
+struct PieceDistances
+{
+  std::vector<double> Labels;    ///< SearchResult::Distances
+  std::vector<double> Corrected; ///< SearchResult::Corrected; empty unless requested
+  std::vector<Id> NearestSource; ///< GraphSeed::Source, or NoId; empty unless requested
+};
+
+/// Searches shortest paths in a graph of which each process has the rows of its piece (PieceGraph).
+/// Every process searches its part, and sends improved labels of vertices that are ghosts
+/// elsewhere, until no label improves. The results are those of GraphSearch::Run() in the entire
+/// graph, bit by bit. All functions must be called by all processes.
+class DGG_CORE_EXPORT PieceSearch
+{
+public:
+  /// Prepares searches. The arrays must outlive this object. `isUsable` becomes false on all
+  /// processes if the parts of the graph do not belong together.
+  Status Prepare(const ProcessGroup& group, const SurfacePiece& piece, const GraphView& graph,
+    const GhostVertices& ghosts, bool& isUsable);
+
+  /// Computes distances from the nearest seed. The seeds must be the same on all processes. Seeds
+  /// at points that no process has are ignored.
+  Status Run(const ProcessGroup& group, const std::vector<PieceSeed>& seeds,
+    const PieceSearchOptions& options, PieceDistances& result);
+
+  /// Returns the number of points of all pieces.
+  Offset GetNumberOfPoints() const { return this->NumberOfPoints; }
+  /// Returns true if the global ids are 0, 1, 2 ...
+  bool HasConsecutiveIds() const { return this->LargestId + 1 == this->NumberOfPoints; }
+
+private:
+  /// Path to a vertex, and the resulting estimate.
+  struct Arrival
+  {
+    LabelCorrection::Estimate Estimate;
+    Id Source = NoId; ///< GraphSeed::Source; NoId until the arrival is known
+  };
+  struct Tree;
+
+  bool IsHere(Id v) const { return this->Ghosts.Owners[v] == GhostVertices::Here; }
+  Status FindReaders(const ProcessGroup& group, const SurfacePiece& piece, bool& isUsable);
+  Status MeasureAngles(const ProcessGroup& group, const SurfacePiece& piece, bool& isUsable);
+  Status FindLabels(const ProcessGroup& group, const std::vector<GraphSeed>& seeds,
+    const PieceSearchOptions& options);
+  bool LowerLabels(const std::vector<GraphSeed>& seeds, bool areFirst, SearchLabels& labels,
+    const ProgressCallback& progress);
+  void CollectLowered(std::vector<Message>& messages);
+  std::vector<GraphSeed> ReadLowered(const std::vector<Message>& messages) const;
+  Status FollowTree(const ProcessGroup& group, const std::vector<GraphSeed>& seeds,
+    double smallestOffset, const ProgressCallback& progress, std::vector<Arrival>& arrivals);
+  void ReadArrivals(
+    const std::vector<Message>& messages, Tree& tree, std::vector<Arrival>& arrivals) const;
+  void Descend(const std::vector<GraphSeed>& seeds, double smallestOffset, Tree& tree,
+    std::vector<Arrival>& arrivals) const;
+  void CollectArrivals(
+    const std::vector<Arrival>& arrivals, Tree& tree, std::vector<Message>& messages) const;
+
+  GraphView Graph;
+  GhostVertices Ghosts;
+  std::vector<Offset> Ids; // global, per vertex
+  Id PointsHere = 0;       // points of the piece
+  Offset NumberOfPoints = 0;
+  Offset LargestId = NoId;
+  double BucketWidth = 0.0;
+  ///@{
+  // Per process, the vertices that belong to this process and are known there, and the vertices
+  // that belong to that process, both in the same order as there.
+  std::vector<std::vector<Id>> Sent;
+  std::vector<std::vector<Id>> Received;
+  ///@}
+  std::vector<std::vector<double>> LastSent; // labels, per vertex of Sent
+  std::unique_ptr<const GraphFans> Fans;     // null if rows are short
+  std::unique_ptr<const LabelCorrection> Correction;
+
+  std::vector<double> Distances;
+  std::vector<LabelOrigin> Origins;
+  std::vector<Id> Touched;
+  std::vector<Id> Lowered;
+  BucketQueue Queue;
+};
+}
+
+#endif

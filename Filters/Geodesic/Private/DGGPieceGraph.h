@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Graph of the piece of this process. Internal.
+#ifndef DGGPieceGraph_h
+#define DGGPieceGraph_h
+
+#include "DGGGraphArrays.h" // for the arrays
+
+#include "dggGraphBuilder.h" // for the options
+
+#include "vtkTimeStamp.h" // for the build time
+
+#include <string> // for warnings
+
+struct DGGContext;
+namespace dgg
+{
+struct ProcessGroup;
+struct SurfacePiece;
+}
+
+/// Graph of a surface that several processes have in pieces. Each process has the part of its
+/// piece, which is on its input or was built together with the other processes.
+class DGGPieceGraph
+{
+public:
+  /// Finds or builds the graph; all processes use either the graphs of their inputs or those built
+  /// here. The options must be the same on all processes; if `acceptsAny`, the graphs of the inputs
+  /// need not be built with them. `isDone` becomes false on all processes if the pieces must be
+  /// gathered. `warning` receives the reason why a graph on the input is not used.
+  dgg::Status Update(const DGGContext& context, const dgg::ProcessGroup& group,
+    const dgg::SurfacePiece& piece, const dgg::GraphOptions& options, bool acceptsAny, bool& isDone,
+    std::string& warning);
+
+  ///@{
+  /// Results of Update().
+  bool IsOnInput() const { return this->IsFound; }
+  const DGGGraphArrays& Get() const { return this->IsFound ? this->OnInput : this->Built; }
+  std::string GetDamage() const { return this->OnInput.GetDamage(); }
+  vtkMTimeType GetBuildTime() const { return this->BuildTime.GetMTime(); }
+  const dgg::GraphEstimate& GetEstimate() const { return this->Estimate; }
+  /// Returns the properties of the graph; the number of edges is that of the points that belong to
+  /// this process.
+  const dgg::GraphSummary& GetSummary() const { return this->Summary; }
+  ///@}
+
+private:
+  void Summarize(const dgg::SurfacePiece& piece);
+
+  DGGGraphArrays OnInput;
+  DGGGraphArrays Built;
+  bool IsFound = false;        // OnInput is used
+  dgg::Signature BuiltPiece{}; // piece of which Built has rows
+  dgg::GraphEstimate Estimate;
+  dgg::GraphSummary Summary;
+  vtkTimeStamp BuildTime;
+};
+
+#endif
