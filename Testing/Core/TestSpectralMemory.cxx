@@ -177,6 +177,17 @@ TEST(GraphMemory, EstimateIsEnoughOnSmallMeshes)
   }
 }
 
+/// The estimate for a large mesh leaves no memory in use that the construction does not reuse.
+TEST(GraphMemory, EstimateKeepsNothing)
+{
+  const dgg::SurfaceMesh mesh = Build(Plane(600, 620));
+  const dgg::GraphBuilder builder(mesh);
+  dgg::GraphEstimate estimate;
+  const MemoryProbe probe;
+  ASSERT_TRUE(builder.Estimate({}, estimate).IsOk());
+  EXPECT_LE(probe.GetHeapGrowth(), Small);
+}
+
 TEST(GraphMemory, SearchesReportWhatTheyHold)
 {
   const dgg::SurfaceMesh mesh = Build(NoisySphere(5, 0.2, 2));

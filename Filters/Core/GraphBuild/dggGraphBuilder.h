@@ -12,7 +12,6 @@
 #include "dggSurfacePoint.h"  // for SurfacePoint
 
 #include <cstddef> // for std::size_t
-#include <cstdint> // for flags
 #include <memory>  // for the internals
 #include <vector>  // for links
 
@@ -54,32 +53,12 @@ struct GraphStatistics
 {
   std::size_t Windows = 0;  ///< number of faces crossed by windows
   std::size_t OutEdges = 0; ///< directed edges before both directions were united
+  std::size_t Work = 0;     ///< in units of one comparison between two windows
 };
 
 /// Maximum number of windows of one source before construction fails. At non-manifold edges windows
 /// may multiply without end. Sources at the smallest accuracy stay well below this limit.
 constexpr std::size_t DefaultWindowLimit = std::size_t{ 1 } << 21;
-
-/// Surroundings of some vertices of a larger mesh, for builders that find the edges of a graph
-/// together. Each one finds the edges of its sources.
-struct GraphRegion
-{
-  std::vector<Id> Sources;
-  std::vector<std::uint8_t> IsRim; ///< per vertex; see SurfaceMesh::FromPoints()
-  std::vector<Offset> PointIds;    ///< per vertex, its id in error messages
-  Offset NumberOfFaces = 0;        ///< of the larger mesh
-  bool HasBranches = false;        ///< true if the larger mesh has edges with more than two faces
-};
-
-/// An edge found from one of its ends.
-struct RegionEdge
-{
-  Id Source;
-  Id Target;
-  double Length;
-  float Departure; ///< polar angle at the source
-  float Arrival;   ///< polar angle at the target
-};
 
 /// An edge between a surface point and a graph vertex: a geodesic that bends at no vertex.
 struct GraphLink
@@ -107,8 +86,6 @@ public:
   /// Building also fails if non-manifold edges or degenerate triangles multiply the work beyond
   /// about twenty times the work on a clean mesh of the same size.
   explicit GraphBuilder(const SurfaceMesh& mesh, std::size_t windowLimit = DefaultWindowLimit);
-  /// Prepares FindEdges() and Estimate() for the sources of a region.
-  GraphBuilder(const SurfaceMesh& mesh, const GraphRegion& region);
   ~GraphBuilder();
   GraphBuilder(const GraphBuilder&) = delete;
   GraphBuilder& operator=(const GraphBuilder&) = delete;
@@ -125,14 +102,6 @@ public:
   /// failure. The caller has to set the signature. May throw std::bad_alloc.
   Status Build(
     const GraphOptions& options, GeodesicGraph& graph, GraphStatistics* statistics = nullptr) const;
-
-  /// Appends the edges of the sources of a region, in any order, before both directions are united.
-  /// `unfinished` receives the sources whose windows meet the rim; their edges are not returned.
-  /// `work` is increased by the work of the other sources. Fails if it exceeds the limit of the
-  /// larger mesh; CheckWork() does this for the total of several builders.
-  Status FindEdges(const GraphOptions& options, std::vector<RegionEdge>& edges,
-    std::vector<Id>& unfinished, std::size_t& work) const;
-  Status CheckWork(const GraphOptions& options, std::size_t work) const;
 
   /// Computes the edges that a surface point would have as a vertex of the graph, sorted by vertex.
   /// With these links, distances from and to the point satisfy the bound of the (guaranteed) graph.

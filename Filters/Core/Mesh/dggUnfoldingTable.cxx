@@ -120,6 +120,14 @@ void UnfoldingTable::OrderFaces()
   }
 }
 
+std::size_t UnfoldingTable::GetMemorySize() const
+{
+  return this->Rim.capacity() + this->LastAngles.capacity() * sizeof(float) +
+    sizeof(Id) *
+    (this->Order.capacity() + this->Rank.capacity() + this->FaceRank.capacity() +
+      this->FirstVertices.capacity() + this->Branches.capacity() + this->Places.capacity());
+}
+
 void UnfoldingTable::Fill(std::size_t index, CrossingBlock& block) const
 {
   const Offset first = static_cast<Offset>(index) * CrossingBlock::Size;

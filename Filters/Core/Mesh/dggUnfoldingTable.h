@@ -99,6 +99,8 @@ public:
     return static_cast<std::size_t>(this->CountEntries() + CrossingBlock::Size - 1) /
       CrossingBlock::Size;
   }
+  /// Returns the size of the arrays in bytes.
+  std::size_t GetMemorySize() const;
   /// Computes the crossings of a block. Entries of faces that are dropped are not set.
   void Fill(std::size_t index, CrossingBlock& block) const;
 

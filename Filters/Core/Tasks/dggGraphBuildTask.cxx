@@ -60,11 +60,8 @@ Status RequireCloudGraph(const std::string& problem)
   return InvalidInput(problem).Fix("Compute the graph of these points with vtkPointCloudDGG");
 }
 
-Status CheckGraphMemory(const TaskContext& context, const GraphBuilder& builder,
-  const GraphOptions& options, GraphEstimate& estimate)
+Status CheckGraphMemory(double limit, const GraphOptions& options, const GraphEstimate& estimate)
 {
-  DGG_RETURN_IF_ERROR(builder.Estimate(options, estimate));
-  const double limit = context.Memory.GetBytes();
   return std::max(estimate.Peak, estimate.Memory) > limit ? TooMuchMemory(options, estimate, limit)
                                                           : Status::Success();
 }
@@ -73,7 +70,8 @@ Status BuildGraph(const TaskContext& context, const GraphBuilder& builder, Graph
   GeodesicGraph& graph, GraphEstimate& estimate)
 {
   UseThreads(context, options);
-  DGG_RETURN_IF_ERROR(CheckGraphMemory(context, builder, options, estimate));
+  DGG_RETURN_IF_ERROR(builder.Estimate(options, estimate));
+  DGG_RETURN_IF_ERROR(CheckGraphMemory(context.Memory.GetBytes(), options, estimate));
   const Status status = builder.Build(options, graph);
   graph.Info.Surface = context.Surface.GetSignature();
   return status;

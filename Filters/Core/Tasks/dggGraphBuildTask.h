@@ -33,9 +33,8 @@ DGG_CORE_EXPORT std::string DescribeAccuracy(
 /// Returns the error for a cloud without a graph, which only its own filter builds.
 DGG_CORE_EXPORT Status RequireCloudGraph(const std::string& problem);
 
-/// Predicts the memory of a graph. Fails if the graph would take more memory than the limit.
-Status CheckGraphMemory(const TaskContext& context, const GraphBuilder& builder,
-  const GraphOptions& options, GraphEstimate& estimate);
+/// Fails if a graph needs more bytes than the limit.
+Status CheckGraphMemory(double limit, const GraphOptions& options, const GraphEstimate& estimate);
 
 /// Builds a graph of the surface of `builder` if CheckGraphMemory() succeeds.
 DGG_CORE_EXPORT Status BuildGraph(const TaskContext& context, const GraphBuilder& builder,

@@ -7,14 +7,13 @@
 #include "dggGraphAssembly.h"
 #include "dggGraphBuildTask.h"
 #include "dggProgressPart.h"
-#include "dggRowStore.h"
+#include "dggRowFinder.h"
 #include "dggSurfaceRegion.h"
 #include "dggTaskContext.h"
 
 #include <algorithm>
 #include <array>
 #include <iterator>
-#include <memory>
 #include <numeric>
 #include <utility>
 
@@ -28,6 +27,16 @@ namespace
 constexpr int FirstLayers = 8;
 /// Progress weight of finding edges.
 constexpr double FindingShare = 0.9;
+
+/// An edge between points of a region, found from its source.
+struct RegionEdge
+{
+  Id Source;
+  Id Target;
+  double Length;
+  float Departure; // polar angles
+  float Arrival;
+};
 
 /// An edge to a point of another process, as it is sent there.
 struct SentEdge
@@ -82,20 +91,19 @@ public:
       }
       region.NumberOfFaces = facts.NumberOfFaces;
       region.HasBranches = facts.HasBranches;
-      std::unique_ptr<const GraphBuilder> builder;
       DGG_RETURN_IF_ERROR(this->Group.Run(
-        [&] { return this->FindEdges(mesh, region, layers == FirstLayers, builder, estimate); }));
+        [&] { return this->FindEdges(mesh, region, layers == FirstLayers, estimate); }));
       std::size_t unfinished = 0;
       std::size_t work = 0;
-      for (const auto& part :
-        this->Group.Share(std::array<std::size_t, 2>{ this->Unfinished.size(), this->Work }))
+      for (const auto& part : this->Group.Share(
+             std::array<std::size_t, 2>{ this->Unfinished.size(), this->Statistics.Work }))
       {
         unfinished += part[0];
         work += part[1];
       }
       if (unfinished == 0)
       {
-        return builder->CheckWork(this->Options, work);
+        return RowFinder::CheckWork(this->Options, region, work);
       }
     }
   }
@@ -137,13 +145,13 @@ public:
     });
   }
 
-  std::vector<RegionEdge> Edges; // between points of the region
+  std::vector<RegionEdge> Edges;
   SurfaceRegion Region;
 
 private:
   /// Finds the edges of points that are not finished.
-  Status FindEdges(const SurfaceMesh& mesh, GraphRegion& region, bool isFirst,
-    std::unique_ptr<const GraphBuilder>& builder, GraphEstimate& estimate)
+  Status FindEdges(
+    const SurfaceMesh& mesh, GraphRegion& region, bool isFirst, GraphEstimate& estimate)
   {
     const std::vector<Id> order = this->Region.GetOrder();
     std::vector<Id> rank(order.size());
@@ -154,31 +162,43 @@ private:
     }
     std::transform(this->Unfinished.begin(), this->Unfinished.end(),
       std::back_inserter(region.Sources), [&](Id point) { return rank[point]; });
-    this->Unfinished.clear();
-    builder = std::make_unique<const GraphBuilder>(mesh, region);
+    const RowFinder finder(mesh, region);
     if (isFirst)
     {
-      DGG_RETURN_IF_ERROR(CheckGraphMemory(this->Context, *builder, this->Options, estimate));
+      DGG_RETURN_IF_ERROR(finder.Estimate(this->Options, estimate));
+      DGG_RETURN_IF_ERROR(
+        CheckGraphMemory(this->Context.Memory.GetBytes(), this->Options, estimate));
     }
-    const std::size_t before = this->Edges.size();
-    std::vector<Id> left;
-    DGG_RETURN_IF_ERROR(builder->FindEdges(this->Options, this->Edges, left, this->Work));
-    for (std::size_t e = before; e < this->Edges.size(); ++e)
-    {
-      RegionEdge& edge = this->Edges[e];
-      edge.Source = order[edge.Source];
-      edge.Target = order[edge.Target];
-    }
-    std::transform(left.begin(), left.end(), std::back_inserter(this->Unfinished),
-      [&](Id v) { return order[v]; });
-    return Status::Success();
+    this->Unfinished.clear();
+    const auto getPoint = [&](Id row) { return order[finder.GetTable().OldVertex(row)]; };
+    return finder.Find(
+      this->Options, this->Statistics, [&](const std::vector<RowBlock>& blocks, Id first) {
+        for (const RowBlock& block : blocks)
+        {
+          const RowEdge* next = block.Edges.data();
+          for (const std::size_t size : block.Sizes)
+          {
+            const Id source = getPoint(finder.GetRow(first++));
+            if (size == RowBlock::RimReached)
+            {
+              this->Unfinished.push_back(source);
+              continue;
+            }
+            for (const RowEdge* const end = next + size; next != end; ++next)
+            {
+              this->Edges.push_back(
+                { source, getPoint(next->Target), next->Length, next->Departure, next->Arrival });
+            }
+          }
+        }
+      });
   }
 
   const TaskContext& Context;
   const ProcessGroup& Group;
   GraphOptions Options;
   std::vector<Id> Unfinished; // points of the region
-  std::size_t Work = 0;
+  GraphStatistics Statistics;
 };
 
 /// Unites both directions of edges between points of a region. The vertices of the graph are the
