@@ -256,14 +256,14 @@ dgg::Status DGGFilterInternals::ComputePiece(const DGGProcesses& processes,
                               update.Parallel, update.GetCells },
     part };
   DGGSurfaceArrays copies(part, true, false);
+  const dgg::SurfacePiece piece = DGGConvertPart({ part, 0 }, copies);
   return this->ExecutePiece(
-    context, group, DGGConvertPart({ part, 0 }, copies), outputVector, isDone);
+    context, { processes, group, piece, inputVector, outputVector }, isDone);
 }
 
 //------------------------------------------------------------------------------
-dgg::Status DGGFilterInternals::ExecutePiece(const DGGContext& vtkNotUsed(context),
-  const dgg::ProcessGroup& vtkNotUsed(group), const dgg::SurfacePiece& vtkNotUsed(piece),
-  vtkInformationVector* vtkNotUsed(outputVector), bool& isDone)
+dgg::Status DGGFilterInternals::ExecutePiece(
+  const DGGContext& vtkNotUsed(context), const DGGPieceUpdate& vtkNotUsed(update), bool& isDone)
 {
   isDone = false;
   return dgg::Status::Success();

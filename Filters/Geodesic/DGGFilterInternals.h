@@ -37,6 +37,16 @@ struct ProcessGroup;
 struct SurfacePiece;
 }
 
+/// Update of several processes that have one piece of the surface each.
+struct DGGPieceUpdate
+{
+  const DGGProcesses& Processes;
+  const dgg::ProcessGroup& Group;
+  const dgg::SurfacePiece& Piece; ///< of this process, without ghosts
+  vtkInformationVector** Inputs;
+  vtkInformationVector* Outputs;
+};
+
 /// The steps of an update, which each filter implements, and the work that all filters share. The
 /// constructor of a filter creates its own and assigns it to vtkGeodesicAlgorithm::Internals.
 class VTKDGGFILTERSGEODESIC_EXPORT DGGFilterInternals
@@ -62,12 +72,12 @@ public:
 
   ///@{
   /// Steps in place of Execute() on several processes with one piece each. CanDistribute() returns
-  /// true if the properties allow them. ExecutePiece() is called on all processes with the
-  /// converted piece, which has no ghosts. `isDone` becomes false on all processes if the pieces
-  /// must be gathered. Errors must be the same on all processes (ProcessGroup::Agree).
+  /// true if the properties allow them. ExecutePiece() is called on all processes; the input of the
+  /// context is the piece. `isDone` becomes false on all processes if the pieces must be gathered.
+  /// Errors must be the same on all processes (ProcessGroup::Agree).
   virtual bool CanDistribute() const { return false; }
-  virtual dgg::Status ExecutePiece(const DGGContext& context, const dgg::ProcessGroup& group,
-    const dgg::SurfacePiece& piece, vtkInformationVector* outputVector, bool& isDone);
+  virtual dgg::Status ExecutePiece(
+    const DGGContext& context, const DGGPieceUpdate& update, bool& isDone);
   ///@}
 
   /// Resets the results that getters return. Called before each update, so that a failed update

@@ -7,8 +7,10 @@
 
 #include "dggGraphDistances.h"
 #include "dggPieceDistances.h"
+#include "dggPieceLinks.h"
 #include "dggPieceSearch.h"
 #include "dggProcessGroup.h"
+#include "dggSourceCollection.h"
 
 #include "vtkObjectFactory.h"
 
@@ -24,9 +26,9 @@ public:
   using DGGGraphInternalsOf::DGGGraphInternalsOf;
 
   dgg::Status ComputeDistances(const DGGContext& context, dgg::DistanceTask& task) override;
-  dgg::Status ComputePiece(const DGGContext& context, const dgg::ProcessGroup& group,
-    const dgg::SurfacePiece& piece, const dgg::SourceCollection& sources,
-    const dgg::DistanceRequest& request, dgg::DistanceOutput& results, bool& isDone) override;
+  dgg::Status ComputePiece(const DGGContext& context, const DGGPieceUpdate& update,
+    const dgg::SourceCollection& sources, const dgg::DistanceRequest& request,
+    dgg::DistanceOutput& results, bool& isDone) override;
   std::vector<dgg::VertexArray> DeclareArrays() const override;
   std::string GetMemoryRemedy() const override
   {
@@ -35,6 +37,7 @@ public:
 
 private:
   std::unique_ptr<dgg::PieceSearch> PieceSearch; // in the graph with PieceKey
+  std::unique_ptr<dgg::PieceLinks> PieceLinks;   // null unless positions were found
   DGGGraphArrays::Key PieceKey;
 };
 
@@ -87,6 +90,7 @@ dgg::Status vtkDGGDistance::vtkInternals::ComputeDistances(
   const dgg::SearchMethod methods[] = { dgg::SearchMethod::Certified,
     dgg::SearchMethod::LabelCorrecting, dgg::SearchMethod::Dijkstra };
   this->PieceSearch.reset();
+  this->PieceLinks.reset();
   DGG_RETURN_IF_ERROR(this->GraphUser.Update(context, this->Self));
   return dgg::FindGraphDistances(
     context, this->GraphUser, methods[this->Self->Search], this->Self->Correction, task);
@@ -94,11 +98,12 @@ dgg::Status vtkDGGDistance::vtkInternals::ComputeDistances(
 
 //------------------------------------------------------------------------------
 dgg::Status vtkDGGDistance::vtkInternals::ComputePiece(const DGGContext& context,
-  const dgg::ProcessGroup& group, const dgg::SurfacePiece& piece,
-  const dgg::SourceCollection& sources, const dgg::DistanceRequest& request,
-  dgg::DistanceOutput& results, bool& isDone)
+  const DGGPieceUpdate& update, const dgg::SourceCollection& sources,
+  const dgg::DistanceRequest& request, dgg::DistanceOutput& results, bool& isDone)
 {
-  DGG_RETURN_IF_ERROR(this->GraphUser.UpdatePiece(context, group, piece, this->Self, isDone));
+  const dgg::ProcessGroup& group = update.Group;
+  DGG_RETURN_IF_ERROR(
+    this->GraphUser.UpdatePiece(context, group, update.Piece, this->Self, isDone));
   if (!isDone)
   {
     return dgg::Status::Success();
@@ -106,20 +111,28 @@ dgg::Status vtkDGGDistance::vtkInternals::ComputePiece(const DGGContext& context
   const DGGGraphArrays& graph = *this->GraphUser.GetPiece();
   if (!group.Holds(this->PieceSearch && this->PieceKey == graph.GetKey()))
   {
+    this->PieceLinks.reset();
     this->PieceSearch = std::make_unique<dgg::PieceSearch>();
     this->PieceKey = graph.GetKey();
-    const dgg::Status status = this->PieceSearch->Prepare(
-      group, piece, graph.GetView(), graph.GetGraph().GetGhosts(), isDone);
-    // Ids of sources number the points.
-    isDone = isDone && this->PieceSearch->HasConsecutiveIds();
-    if (!status.IsOk() || !isDone)
-    {
-      this->PieceSearch.reset();
-      return status;
-    }
+    DGG_RETURN_IF_ERROR(this->PieceSearch->Prepare(
+      group, update.Piece, graph.GetView(), graph.GetGraph().GetGhosts(), isDone));
+  }
+  const bool hasPositions = sources.GetNumberOfPositions() > 0;
+  if (hasPositions && isDone && !group.Holds(this->PieceLinks != nullptr))
+  {
+    this->PieceLinks = std::make_unique<dgg::PieceLinks>();
+    DGG_RETURN_IF_ERROR(this->PieceLinks->Prepare(group, update.Piece, isDone));
+  }
+  isDone = isDone && this->PieceSearch->HasConsecutiveIds(); // as the ids of sources
+  if (!isDone)
+  {
+    this->PieceSearch.reset();
+    return dgg::Status::Success();
   }
   const double accuracy = this->GraphUser.GetSummary().Info.Accuracy;
-  return dgg::FindPieceDistances(group, *this->PieceSearch, sources,
+  return dgg::FindPieceDistances(group, *this->PieceSearch,
+    hasPositions ? this->PieceLinks.get() : nullptr, sources,
+    group.Share(this->Self->GetProjectionTolerance()).front(),
     group.Share(this->Self->Correction).front(),
     accuracy > 0.0 ? accuracy : group.Share(this->Self->GetAccuracy()).front(), request,
     context.Progress, results);

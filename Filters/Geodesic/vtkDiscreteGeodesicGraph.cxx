@@ -46,8 +46,8 @@ public:
     return !this->Self->GenerateGraphLines &&
       this->MakeOptions().Construction != dgg::GraphConstruction::Indirect;
   }
-  dgg::Status ExecutePiece(const DGGContext& context, const dgg::ProcessGroup& group,
-    const dgg::SurfacePiece& piece, vtkInformationVector* outputVector, bool& isDone) override;
+  dgg::Status ExecutePiece(
+    const DGGContext& context, const DGGPieceUpdate& update, bool& isDone) override;
   bool PassesSurface() const override { return true; }
   void MakeEmptyOutput(const DGGContext& context, vtkInformationVector* outputVector) override;
   std::string GetMemoryRemedy() const override;
@@ -259,14 +259,13 @@ dgg::Status vtkDiscreteGeodesicGraph::vtkInternals::Execute(const DGGContext& co
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkDiscreteGeodesicGraph::vtkInternals::ExecutePiece(const DGGContext& context,
-  const dgg::ProcessGroup& group, const dgg::SurfacePiece& piece,
-  vtkInformationVector* outputVector, bool& isDone)
+dgg::Status vtkDiscreteGeodesicGraph::vtkInternals::ExecutePiece(
+  const DGGContext& context, const DGGPieceUpdate& update, bool& isDone)
 {
   this->Built.Clear();
   std::string warning;
-  DGG_RETURN_IF_ERROR(this->Piece.Update(
-    context, group, piece, dgg::ShareOptions(group, this->MakeOptions()), false, isDone, warning));
+  DGG_RETURN_IF_ERROR(this->Piece.Update(context, update.Group, update.Piece,
+    dgg::ShareOptions(update.Group, this->MakeOptions()), false, isDone, warning));
   this->InputGraphDamage = this->Piece.GetDamage();
   this->Warn(warning);
   if (!isDone)
@@ -274,8 +273,8 @@ dgg::Status vtkDiscreteGeodesicGraph::vtkInternals::ExecutePiece(const DGGContex
     return dgg::Status::Success();
   }
   this->Estimate = this->Piece.GetEstimate();
-  vtkPolyData::GetData(outputVector, 1)->Initialize();
-  vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
+  vtkPolyData::GetData(update.Outputs, 1)->Initialize();
+  vtkPolyData* output = vtkPolyData::GetData(update.Outputs, 0);
   output->ShallowCopy(context.Input);
   this->Piece.Get().AddTo(output->GetFieldData());
   this->Current = this->Piece.GetSummary();

@@ -5,6 +5,7 @@
 #include "DGGDistanceInternals.h"
 #include "DGGFieldInput.h"
 #include "DGGOutput.h"
+#include "DGGProcesses.h"
 #include "DGGProperties.h"
 #include "DGGSources.h"
 
@@ -206,29 +207,27 @@ dgg::Status DGGDistanceInternals::Execute(
 //------------------------------------------------------------------------------
 bool DGGDistanceInternals::CanDistribute() const
 {
-  return !this->Filter->GenerateVirtualSource && !this->Filter->PassSourceArrays &&
-    !this->Filter->GetInputDataObject(1, 0);
+  return !this->Filter->GenerateVirtualSource && !this->Filter->PassSourceArrays;
 }
 
 //------------------------------------------------------------------------------
-dgg::Status DGGDistanceInternals::ExecutePiece(const DGGContext& context,
-  const dgg::ProcessGroup& group, const dgg::SurfacePiece& piece,
-  vtkInformationVector* outputVector, bool& isDone)
+dgg::Status DGGDistanceInternals::ExecutePiece(
+  const DGGContext& context, const DGGPieceUpdate& update, bool& isDone)
 {
-  // The properties of the first process count.
-  const std::vector<vtkIdType> ids = group.TakeFromFirst(this->Filter->SourceIds);
-  const std::vector<double> offsets = group.TakeFromFirst(this->Filter->SourceOffsets);
-  dgg::DistanceRequest request = this->MakeRequest();
-  request.MaximumDistance = group.Share(request.MaximumDistance).front();
-  request.WantNearestSource = group.Share(request.WantNearestSource).front();
   dgg::SourceCollection sources;
-  DGG_RETURN_IF_ERROR(
-    DGGCollect({ ids, nullptr, 1, "source", "SourceIds", "", &offsets }, sources));
+  DGG_RETURN_IF_ERROR(this->CollectFromAll(update, sources, isDone));
+  if (!isDone)
+  {
+    return dgg::Status::Success();
+  }
+  dgg::DistanceRequest request = this->MakeRequest();
+  request.MaximumDistance = update.Group.Share(request.MaximumDistance).front();
+  request.WantNearestSource = update.Group.Share(request.WantNearestSource).front();
   dgg::DistanceOutput results;
-  DGG_RETURN_IF_ERROR(this->ComputePiece(context, group, piece, sources, request, results, isDone));
+  DGG_RETURN_IF_ERROR(this->ComputePiece(context, update, sources, request, results, isDone));
   if (isDone)
   {
-    vtkPolyData* output = vtkPolyData::GetData(outputVector);
+    vtkPolyData* output = vtkPolyData::GetData(update.Outputs);
     output->ShallowCopy(context.Input);
     this->AddResults(results, output);
   }
@@ -236,10 +235,39 @@ dgg::Status DGGDistanceInternals::ExecutePiece(const DGGContext& context,
 }
 
 //------------------------------------------------------------------------------
+/// Collects the ids of the first process, and the points that all processes have at port 1.
+/// `areUsable` becomes false if arrays identify points by ids of the joined surface.
+dgg::Status DGGDistanceInternals::CollectFromAll(
+  const DGGPieceUpdate& update, dgg::SourceCollection& sources, bool& areUsable) const
+{
+  const dgg::ProcessGroup& group = update.Group;
+  vtkDataObject* here = vtkDataObject::GetData(update.Inputs[1]);
+  const bool hasPoints = !group.Holds(here == nullptr);
+  vtkSmartPointer<vtkPolyData> points;
+  if (hasPoints)
+  {
+    DGG_RETURN_IF_ERROR(update.Processes.JoinOnFirst(here, points));
+  }
+  const std::vector<vtkIdType> ids = group.TakeFromFirst(this->Filter->SourceIds);
+  const std::vector<double> offsets = group.TakeFromFirst(this->Filter->SourceOffsets);
+  DGG_RETURN_IF_ERROR(group.Run([&] {
+    return DGGCollect(
+      { ids, points, 1, "source", "SourceIds", this->Filter->InitialDistanceArrayName, &offsets },
+      sources);
+  }));
+  sources.IsConnected = hasPoints;
+  sources.Positions = group.TakeFromFirst(sources.Positions);
+  sources.InitialDistances = group.TakeFromFirst(sources.InitialDistances);
+  areUsable = group.Holds(
+    sources.OriginalIds.empty() && (sources.Cells.empty() || sources.Barycentric.empty()));
+  return dgg::Status::Success();
+}
+
+//------------------------------------------------------------------------------
 dgg::Status DGGDistanceInternals::ComputePiece(const DGGContext& vtkNotUsed(context),
-  const dgg::ProcessGroup& vtkNotUsed(group), const dgg::SurfacePiece& vtkNotUsed(piece),
-  const dgg::SourceCollection& vtkNotUsed(sources), const dgg::DistanceRequest& vtkNotUsed(request),
-  dgg::DistanceOutput& vtkNotUsed(results), bool& isDone)
+  const DGGPieceUpdate& vtkNotUsed(update), const dgg::SourceCollection& vtkNotUsed(sources),
+  const dgg::DistanceRequest& vtkNotUsed(request), dgg::DistanceOutput& vtkNotUsed(results),
+  bool& isDone)
 {
   isDone = false;
   return dgg::Status::Success();

@@ -51,6 +51,32 @@ const Division divisions[] = { { "Strips", LabelStrips }, { "Bisection", LabelBi
   { "Connected", LabelConnected }, { "Scattered", LabelScattered },
   { "OneIsEmpty", LabelStripsButOne } };
 
+/// Returns the centers of some cells, and points between two of their corners.
+vtkSmartPointer<vtkPolyData> MakePointsOfCells(vtkPolyData* surface)
+{
+  Points points;
+  vtkNew<vtkIdList> corners;
+  for (vtkIdType cell = 3; cell < surface->GetNumberOfCells();
+       cell += surface->GetNumberOfCells() / 7 + 1)
+  {
+    surface->GetCellPoints(cell, corners);
+    std::array<double, 3> center{};
+    std::array<double, 3> middle{};
+    for (vtkIdType k = 0; k < corners->GetNumberOfIds(); ++k)
+    {
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        const double x = surface->GetPoint(corners->GetId(k))[axis];
+        center[axis] += x / static_cast<double>(corners->GetNumberOfIds());
+        middle[axis] += k < 2 ? 0.5 * x : 0.0;
+      }
+    }
+    points.push_back(center);
+    points.push_back(middle);
+  }
+  return MakeSourcePoints(points);
+}
+
 /// Returns a point of cells with different labels.
 vtkIdType FindSharedPoint(vtkPolyData* surface, const Labels& labels)
 {
@@ -232,6 +258,12 @@ TEST_P(GraphInPieces, RowsAndDistancesAreTheSame)
     [](vtkDGGDistance* filter) {
       filter->SetSourceIds({ 60, 5 });
       filter->CorrectionOff();
+    },
+    [&](vtkDGGDistance* filter) {
+      filter->SetSourceIds({ 17 });
+      filter->SetInputData(1, MakePointsOfCells(surface)); // on all processes
+      filter->SetMaximumDistance(VTK_DOUBLE_MAX);
+      filter->CorrectionOn();
     }
   };
   vtkNew<vtkDGGDistance> distance;

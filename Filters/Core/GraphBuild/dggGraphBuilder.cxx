@@ -41,12 +41,17 @@ public:
     , Finder(mesh, windowLimit)
   {
   }
+  Implementation(const SurfaceMesh& mesh, const GraphRegion& region)
+    : Mesh(mesh)
+    , Finder(mesh, region)
+  {
+  }
 
   Status Build(
     const GraphOptions& options, GeodesicGraph& graph, GraphStatistics& statistics) const;
   Status Link(const SurfacePoint& point, const GraphOptions& options,
     const std::vector<SurfacePoint>& targets, std::vector<GraphLink>& links,
-    std::vector<double>& direct, std::size_t& work) const;
+    std::vector<double>& direct, std::size_t& work, bool& meetsRim) const;
 
   const SurfaceMesh& Mesh;
   RowFinder Finder;
@@ -56,6 +61,11 @@ public:
 //------------------------------------------------------------------------------
 GraphBuilder::GraphBuilder(const SurfaceMesh& mesh, std::size_t windowLimit)
   : Internals(std::make_unique<Implementation>(mesh, windowLimit))
+{
+}
+
+GraphBuilder::GraphBuilder(const SurfaceMesh& mesh, const GraphRegion& region)
+  : Internals(std::make_unique<Implementation>(mesh, region))
 {
 }
 
@@ -127,16 +137,17 @@ Status GraphBuilder::Build(
 
 Status GraphBuilder::Link(const SurfacePoint& point, double accuracy,
   const std::vector<SurfacePoint>& targets, std::vector<GraphLink>& links,
-  std::vector<double>& direct, std::size_t* work) const
+  std::vector<double>& direct, std::size_t* work, bool* meetsRim) const
 {
   std::size_t unused = 0;
+  bool unusedRim = false;
   links.clear();
   direct.clear();
   GraphOptions options;
   options.Accuracy = accuracy;
   DGG_RETURN_IF_ERROR(Check(options));
-  Status status =
-    this->Internals->Link(point, options, targets, links, direct, work ? *work : unused);
+  Status status = this->Internals->Link(point, options, targets, links, direct,
+    work ? *work : unused, meetsRim ? *meetsRim : unusedRim);
   if (!status.IsOk())
   {
     links.clear();
@@ -194,7 +205,7 @@ Status GraphBuilder::Implementation::Build(
 
 Status GraphBuilder::Implementation::Link(const SurfacePoint& point, const GraphOptions& options,
   const std::vector<SurfacePoint>& targets, std::vector<GraphLink>& links,
-  std::vector<double>& direct, std::size_t& work) const
+  std::vector<double>& direct, std::size_t& work, bool& meetsRim) const
 {
   const UnfoldingTable& table = this->Finder.GetTable();
   DGG_RETURN_IF_ERROR(table.Check());
@@ -232,6 +243,7 @@ Status GraphBuilder::Implementation::Link(const SurfacePoint& point, const Graph
   const std::vector<FoundEdge>& edges =
     tracer->TracePoint(positions, GraphWindowTargets(this->Mesh, windowTargets, direct));
   work += tracer->GetWork();
+  meetsRim = tracer->HasReachedRim();
   if (tracer->ExceededLimit())
   {
     return this->Finder.LimitExceeded("the surface point", options);

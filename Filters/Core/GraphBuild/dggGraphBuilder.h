@@ -40,6 +40,8 @@ DGG_CORE_EXPORT GraphOptions MakeOptions(const GraphInfo& graph);
 /// Returns true if the options build a graph like this one.
 DGG_CORE_EXPORT bool IsBuiltWith(const GraphInfo& graph, const GraphOptions& options);
 
+struct GraphRegion;
+
 /// Predicted size of a graph, extrapolated from the rows of some vertices.
 struct GraphEstimate
 {
@@ -86,6 +88,8 @@ public:
   /// Building also fails if non-manifold edges or degenerate triangles multiply the work beyond
   /// about twenty times the work on a clean mesh of the same size.
   explicit GraphBuilder(const SurfaceMesh& mesh, std::size_t windowLimit = DefaultWindowLimit);
+  /// Prepares Link() for points of a region.
+  GraphBuilder(const SurfaceMesh& mesh, const GraphRegion& region);
   ~GraphBuilder();
   GraphBuilder(const GraphBuilder&) = delete;
   GraphBuilder& operator=(const GraphBuilder&) = delete;
@@ -108,10 +112,12 @@ public:
   /// `targets` are further points; `direct[i]` becomes the length of the straight line to
   /// targets[i], or Infinity if no window contains the target. A point at a vertex has a single
   /// link, of length 0. Both outputs are empty on failure. If windows multiplied, `work` is
-  /// increased by the number of window comparisons. May be called by several threads
+  /// increased by the number of window comparisons. `meetsRim` becomes true if windows meet the rim
+  /// of a region, so that the links are not complete. May be called by several threads
   /// simultaneously.
   Status Link(const SurfacePoint& point, double accuracy, const std::vector<SurfacePoint>& targets,
-    std::vector<GraphLink>& links, std::vector<double>& direct, std::size_t* work = nullptr) const;
+    std::vector<GraphLink>& links, std::vector<double>& direct, std::size_t* work = nullptr,
+    bool* meetsRim = nullptr) const;
 
 private:
   class Implementation;

@@ -99,20 +99,32 @@ struct ProcessGroup
     return this->Agree(status);
   }
 
-  /// Returns the values of all processes, in their order.
+  /// Returns the lists of all processes, in their order.
   template <typename T>
-  std::vector<T> Share(const T& value) const
+  std::vector<std::vector<T>> ShareList(const std::vector<T>& list) const
   {
     std::vector<Message> messages(static_cast<std::size_t>(this->Count));
     for (Message& message : messages)
     {
-      Append(message, std::vector<std::array<T, 1>>{ { value } });
+      Append(message, list);
     }
     this->Exchange(messages);
-    std::vector<T> values;
+    std::vector<std::vector<T>> lists;
     for (const Message& message : messages)
     {
-      values.push_back(MessageReader(message).Take<std::array<T, 1>>().front()[0]);
+      lists.push_back(MessageReader(message).Take<T>());
+    }
+    return lists;
+  }
+
+  /// Returns the values of all processes, in their order.
+  template <typename T>
+  std::vector<T> Share(const T& value) const
+  {
+    std::vector<T> values;
+    for (const auto& list : this->ShareList(std::vector<std::array<T, 1>>{ { value } }))
+    {
+      values.push_back(list.front()[0]);
     }
     return values;
   }
@@ -121,16 +133,7 @@ struct ProcessGroup
   template <typename T>
   std::vector<T> TakeFromFirst(const std::vector<T>& values) const
   {
-    std::vector<Message> messages(static_cast<std::size_t>(this->Count));
-    for (Message& message : messages)
-    {
-      if (this->Here == 0)
-      {
-        Append(message, values);
-      }
-    }
-    this->Exchange(messages);
-    return MessageReader(messages.front()).Take<T>();
+    return this->ShareList(this->Here == 0 ? values : std::vector<T>()).front();
   }
 
   /// Returns true if the condition holds on all processes.

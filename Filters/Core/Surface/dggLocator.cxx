@@ -27,9 +27,7 @@ const double* At(const double* positions, Id i)
 }
 
 //------------------------------------------------------------------------------
-SurfaceLocator::SurfaceLocator(const SurfaceMesh& mesh, const double* positions)
-  : Mesh(mesh)
-  , Positions(positions)
+Box SurfaceLocator::MeasureBox(const SurfaceMesh& mesh, const double* positions)
 {
   Box whole;
   for (Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
@@ -39,6 +37,20 @@ SurfaceLocator::SurfaceLocator(const SurfaceMesh& mesh, const double* positions)
       whole.Add(At(positions, v));
     }
   }
+  return whole;
+}
+
+//------------------------------------------------------------------------------
+SurfaceLocator::SurfaceLocator(const SurfaceMesh& mesh, const double* positions)
+  : SurfaceLocator(mesh, positions, MeasureBox(mesh, positions))
+{
+}
+
+//------------------------------------------------------------------------------
+SurfaceLocator::SurfaceLocator(const SurfaceMesh& mesh, const double* positions, const Box& whole)
+  : Mesh(mesh)
+  , Positions(positions)
+{
   double largest = 0.0;
   double extent = 0.0;
   for (int k = 0; k < 3; ++k)

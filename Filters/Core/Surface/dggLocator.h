@@ -42,6 +42,11 @@ class DGG_CORE_EXPORT SurfaceLocator : public Locator
 public:
   /// `mesh` and `positions` (x y z per vertex) must outlive the locator; the mesh has a face.
   SurfaceLocator(const SurfaceMesh& mesh, const double* positions);
+  /// `whole` is the box of a larger surface, of which the mesh is a part.
+  SurfaceLocator(const SurfaceMesh& mesh, const double* positions, const Box& whole);
+
+  /// Returns the box of the points with faces.
+  static Box MeasureBox(const SurfaceMesh& mesh, const double* positions);
 
   bool FindClosestPoint(
     const double position[3], SurfacePoint& closest, double& distance) const override;

@@ -30,11 +30,6 @@ std::string Capitalize(std::string text)
   return text;
 }
 
-double GetInitialDistance(const std::vector<double>& distances, std::size_t i)
-{
-  return distances.empty() ? 0.0 : distances[i];
-}
-
 Status RefuseInitialDistance(const std::string& point, double distance)
 {
   return InvalidInput(point, " has the initial distance ", distance)
@@ -64,6 +59,18 @@ Offset FindOriginal(
 SourceCollection::Position SourceCollection::GetPosition(std::size_t i) const
 {
   return { { this->Positions[3 * i], this->Positions[3 * i + 1], this->Positions[3 * i + 2] } };
+}
+
+//------------------------------------------------------------------------------
+double SourceCollection::GetInitialDistanceOfId(std::size_t i) const
+{
+  return this->InitialDistancesOfIds.empty() ? 0.0 : this->InitialDistancesOfIds[i];
+}
+
+//------------------------------------------------------------------------------
+double SourceCollection::GetInitialDistanceOfPosition(std::size_t i) const
+{
+  return this->InitialDistances.empty() ? 0.0 : this->InitialDistances[i];
 }
 
 //------------------------------------------------------------------------------
@@ -102,7 +109,7 @@ Status SourceCollection::Check(Offset numberOfPoints) const
   for (std::size_t i = 0; i < this->Ids.size(); ++i)
   {
     const Offset id = this->Ids[i];
-    const double distance = GetInitialDistance(this->InitialDistancesOfIds, i);
+    const double distance = this->GetInitialDistanceOfId(i);
     const bool isInRange = id >= 0 && id < numberOfPoints;
     if (isInRange && std::isfinite(distance))
     {
@@ -117,7 +124,7 @@ Status SourceCollection::Check(Offset numberOfPoints) const
   }
   for (std::size_t i = 0; i < this->GetNumberOfPositions(); ++i)
   {
-    const double distance = GetInitialDistance(this->InitialDistances, i);
+    const double distance = this->GetInitialDistanceOfPosition(i);
     if (!IsFinite(PointAt(this->Positions.data(), static_cast<Id>(i))))
     {
       return InvalidInput(this->DescribeWithPosition(i), " has coordinates that are not finite")
@@ -140,14 +147,14 @@ Status SourceCollection::Locate(const SurfaceArrays& input, const PreparedSurfac
   DGG_RETURN_IF_ERROR(this->Check(surface.GetMeshWithoutAngles().GetNumberOfVertices()));
   for (std::size_t i = 0; i < this->Ids.size(); ++i)
   {
-    sources.push_back({ SurfacePoint::AtVertex(surface.GetVertex(this->Ids[i])),
-      GetInitialDistance(this->InitialDistancesOfIds, i) });
+    sources.push_back(
+      { SurfacePoint::AtVertex(surface.GetVertex(this->Ids[i])), this->GetInitialDistanceOfId(i) });
   }
   const CellCoordinates cells(input, surface);
   for (std::size_t i = 0; i < this->GetNumberOfPositions(); ++i)
   {
     Position position = this->GetPosition(i);
-    GeodesicSource source{ {}, GetInitialDistance(this->InitialDistances, i) };
+    GeodesicSource source{ {}, this->GetInitialDistanceOfPosition(i) };
     bool isFound = false;
     DGG_RETURN_IF_ERROR(this->Identify(i, cells, surface, position, source.Point, isFound));
     DGG_RETURN_IF_ERROR(isFound ? Status::Success()
@@ -230,12 +237,19 @@ Status SourceCollection::FindClosest(std::size_t i, const PreparedSurface& surfa
   {
     return Status::Success();
   }
-  return InvalidInput(this->DescribeWithPosition(i), " is ", distance, " away from the ",
+  return this->RefuseDistant(i, distance, tolerance, locator.GetDiagonal(),
     surface.IsCloud()            ? "cloud"
       : this->Surface == "input" ? "surface"
-                                 : this->Surface,
-    ", farther than ", farthest, " ({ProjectionTolerance} ", tolerance, " times the diagonal ",
-    locator.GetDiagonal(), ")")
+                                 : this->Surface);
+}
+
+//------------------------------------------------------------------------------
+Status SourceCollection::RefuseDistant(std::size_t i, double distance, double tolerance,
+  double diagonal, const std::string& surface) const
+{
+  return InvalidInput(this->DescribeWithPosition(i), " is ", distance, " away from the ", surface,
+    ", farther than ", tolerance * diagonal, " ({ProjectionTolerance} ", tolerance,
+    " times the diagonal ", diagonal, ")")
     .At("", static_cast<Offset>(i))
     .Fix("Move the point, or raise {ProjectionTolerance}");
 }

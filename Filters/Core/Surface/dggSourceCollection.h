@@ -80,11 +80,17 @@ struct DGG_CORE_EXPORT SourceCollection
   std::string DescribeIsolated(
     const PreparedSurface& surface, const std::vector<GeodesicSource>& sources) const;
 
-private:
   using Position = std::array<double, 3>;
 
   std::size_t GetNumberOfPositions() const { return this->Positions.size() / 3; }
   Position GetPosition(std::size_t i) const;
+  double GetInitialDistanceOfId(std::size_t i) const;
+  double GetInitialDistanceOfPosition(std::size_t i) const;
+  /// Returns the error of a position that is too far from a surface with this diagonal.
+  Status RefuseDistant(std::size_t i, double distance, double tolerance, double diagonal,
+    const std::string& surface = "surface") const;
+
+private:
   std::string Describe(std::size_t i) const;
   std::string DescribeWithPosition(std::size_t i) const;
   Status Identify(std::size_t i, const CellCoordinates& cells, const PreparedSurface& surface,

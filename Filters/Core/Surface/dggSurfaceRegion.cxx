@@ -380,12 +380,12 @@ std::vector<Id> SurfaceRegion::GetOrder() const
   return order;
 }
 
-Status SurfaceRegion::MakeMesh(const ProcessGroup& group, SurfaceMesh& mesh,
-  std::vector<std::uint8_t>& isRim, SurfaceFacts& facts) const
+Status SurfaceRegion::MakeMesh(
+  const ProcessGroup& group, RegionMesh& region, SurfaceFacts& facts) const
 {
   SurfaceFacts here;
   DGG_RETURN_IF_ERROR(group.Run([&] {
-    here = this->MakeHere(mesh, isRim);
+    here = this->MakeHere(region);
     return Status::Success();
   }));
   facts = SurfaceFacts();
@@ -406,11 +406,15 @@ Status SurfaceRegion::MakeMesh(const ProcessGroup& group, SurfaceMesh& mesh,
 }
 
 /// Makes the mesh and returns the facts of the region, with the faces of the piece alone.
-SurfaceFacts SurfaceRegion::MakeHere(SurfaceMesh& mesh, std::vector<std::uint8_t>& isRim) const
+SurfaceFacts SurfaceRegion::MakeHere(RegionMesh& region) const
 {
+  region = RegionMesh();
+  SurfaceMesh& mesh = region.Mesh;
+  std::vector<double>& positions = region.Positions;
+  std::vector<std::uint8_t>& isRim = region.IsRim;
   const std::vector<Id> order = this->GetOrder();
   std::vector<Id> rank(order.size());
-  std::vector<double> positions(3 * order.size());
+  positions.resize(3 * order.size());
   for (std::size_t i = 0; i < order.size(); ++i)
   {
     rank[order[i]] = static_cast<Id>(i);
@@ -440,7 +444,10 @@ SurfaceFacts SurfaceRegion::MakeHere(SurfaceMesh& mesh, std::vector<std::uint8_t
       corners.push_back(rank[this->Corners[k]]);
     }
     const Id added = triangulator.Triangulate(corners, triangles);
-    facts.NumberOfFaces += c < this->NumberOfOwnCells ? added : 0;
+    const bool isOwn = c < this->NumberOfOwnCells;
+    facts.NumberOfFaces += isOwn ? added : 0;
+    region.CellIds.insert(
+      region.CellIds.end(), static_cast<std::size_t>(added), isOwn ? cell.GlobalId : NoId);
   }
   facts.IsRegular =
     SurfaceMesh::FromPoints(positions.data(), static_cast<Offset>(order.size()), triangles.data(),

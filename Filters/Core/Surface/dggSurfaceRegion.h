@@ -29,6 +29,15 @@ struct SurfaceFacts
   double SmallestSlack = Infinity;
 };
 
+/// Mesh of a region; its vertices and faces are in the order of global ids.
+struct RegionMesh
+{
+  SurfaceMesh Mesh;
+  std::vector<double> Positions;   ///< x y z per vertex
+  std::vector<std::uint8_t> IsRim; ///< see SurfaceMesh::FromPoints()
+  std::vector<Offset> CellIds;     ///< per face, the global id of a cell of the piece, or NoId
+};
+
 /// The piece of a surface that this process has, and cells of other processes around it. A point
 /// that several pieces use belongs to one of their processes, which its id selects, so that the
 /// points of interlaced pieces are distributed evenly.
@@ -43,10 +52,8 @@ public:
   /// Adds layers of cells. Processes that need none only send theirs.
   Status Grow(const ProcessGroup& group, int layers, bool isNeeded);
 
-  /// Makes the mesh of the region; its vertices and faces are in the order of global ids. `facts`
-  /// are those of the whole surface. `isRim` receives the flags of SurfaceMesh::FromPoints().
-  Status MakeMesh(const ProcessGroup& group, SurfaceMesh& mesh, std::vector<std::uint8_t>& isRim,
-    SurfaceFacts& facts) const;
+  /// Makes the mesh of the region. `facts` are those of the whole surface.
+  Status MakeMesh(const ProcessGroup& group, RegionMesh& region, SurfaceFacts& facts) const;
 
   ///@{
   /// Points of the region; those of the piece come first.
@@ -78,7 +85,7 @@ private:
   void AddToRim(Id point, int here);
   void Answer(std::size_t process, const std::vector<Offset>& requested, Message& answer);
   void AddCells(const Message& message, int here);
-  SurfaceFacts MakeHere(SurfaceMesh& mesh, std::vector<std::uint8_t>& isRim) const;
+  SurfaceFacts MakeHere(RegionMesh& region) const;
 
   const SurfacePiece* Piece = nullptr;
   std::vector<Offset> PointIds;

@@ -4,6 +4,7 @@
 
 #include "dggDistanceOutput.h"
 #include "dggGraphSession.h"
+#include "dggPieceLinks.h"
 #include "dggPieceSearch.h"
 #include "dggPreparedSurface.h"
 #include "dggSourceCollection.h"
@@ -13,19 +14,25 @@
 
 namespace dgg
 {
-Status FindPieceDistances(const ProcessGroup& group, PieceSearch& search,
-  const SourceCollection& sources, bool correct, double accuracy, const DistanceRequest& request,
-  const ProgressCallback& progress, DistanceOutput& output)
+Status FindPieceDistances(const ProcessGroup& group, PieceSearch& search, PieceLinks* links,
+  const SourceCollection& sources, double tolerance, bool correct, double accuracy,
+  const DistanceRequest& request, const ProgressCallback& progress, DistanceOutput& output)
 {
   DGG_RETURN_IF_ERROR(group.Agree(sources.Check(search.GetNumberOfPoints())));
   std::vector<PieceSeed> seeds;
-  double smallestOffset = Infinity;
   for (std::size_t i = 0; i < sources.Ids.size(); ++i)
   {
-    const double offset =
-      sources.InitialDistancesOfIds.empty() ? 0.0 : sources.InitialDistancesOfIds[i];
+    const double offset = sources.GetInitialDistanceOfId(i);
     seeds.push_back({ sources.Ids[i], { NoId, offset, offset, static_cast<Id>(i), -1.0 } });
-    smallestOffset = std::min(smallestOffset, offset);
+  }
+  if (links)
+  {
+    DGG_RETURN_IF_ERROR(links->Find(group, sources, tolerance, accuracy, seeds));
+  }
+  double smallestOffset = Infinity;
+  for (const PieceSeed& seed : seeds)
+  {
+    smallestOffset = std::min(smallestOffset, seed.Seed.InitialDistance);
   }
   PieceSearchOptions options;
   options.MaximumDistance = correct

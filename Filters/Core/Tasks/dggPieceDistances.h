@@ -11,20 +11,23 @@
 
 namespace dgg
 {
+class PieceLinks;
 class PieceSearch;
 struct DistanceOutput;
 struct DistanceRequest;
 struct ProcessGroup;
 struct SourceCollection;
 
-/// Computes distances from the ids of a collection together with the other processes, and adds them
-/// as arrays of the points of the piece. All distances are corrected if requested; arrays of the
-/// request receive the lengths of paths, which are upper bounds. `accuracy` is that of links.
-/// Collection, request and other options must be the same on all processes. Virtual sources and
-/// sources of points are not available.
+/// Computes distances together with the other processes, and adds them as arrays of the points of
+/// the piece. All distances are corrected if requested; arrays of the request receive the lengths
+/// of paths, which are upper bounds. `links` finds the positions of the collection, and may be null
+/// if there are none; `tolerance` and `accuracy` are those of PieceLinks::Find(). Collection,
+/// request and other options must be the same on all processes. Virtual sources and sources of
+/// points are not available.
 DGG_CORE_EXPORT Status FindPieceDistances(const ProcessGroup& group, PieceSearch& search,
-  const SourceCollection& sources, bool correct, double accuracy, const DistanceRequest& request,
-  const ProgressCallback& progress, DistanceOutput& output);
+  PieceLinks* links, const SourceCollection& sources, double tolerance, bool correct,
+  double accuracy, const DistanceRequest& request, const ProgressCallback& progress,
+  DistanceOutput& output);
 }
 
 #endif

@@ -80,19 +80,20 @@ public:
       DGG_RETURN_IF_ERROR(
         this->Region.Grow(this->Group, layers - present, !this->Unfinished.empty()));
       present = layers;
-      SurfaceMesh mesh;
+      RegionMesh mesh;
       GraphRegion region;
       SurfaceFacts facts;
-      DGG_RETURN_IF_ERROR(this->Region.MakeMesh(this->Group, mesh, region.IsRim, facts));
+      DGG_RETURN_IF_ERROR(this->Region.MakeMesh(this->Group, mesh, facts));
       isUsable = facts.IsRegular;
       if (!isUsable)
       {
         return Status::Success();
       }
+      region.IsRim.swap(mesh.IsRim);
       region.NumberOfFaces = facts.NumberOfFaces;
       region.HasBranches = facts.HasBranches;
       DGG_RETURN_IF_ERROR(this->Group.Run(
-        [&] { return this->FindEdges(mesh, region, layers == FirstLayers, estimate); }));
+        [&] { return this->FindEdges(mesh.Mesh, region, layers == FirstLayers, estimate); }));
       std::size_t unfinished = 0;
       std::size_t work = 0;
       for (const auto& part : this->Group.Share(

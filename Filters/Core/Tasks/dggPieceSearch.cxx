@@ -147,14 +147,13 @@ Status PieceSearch::MeasureAngles(
     return Status::Success();
   }
   DGG_RETURN_IF_ERROR(region.Grow(group, 1, true)); // all cells at the points of the piece
-  SurfaceMesh mesh;
-  std::vector<std::uint8_t> isRim;
+  RegionMesh mesh;
   SurfaceFacts facts;
-  DGG_RETURN_IF_ERROR(region.MakeMesh(group, mesh, isRim, facts));
+  DGG_RETURN_IF_ERROR(region.MakeMesh(group, mesh, facts));
   std::vector<VertexAngle> angles(static_cast<std::size_t>(this->Graph.NumberOfVertices));
   std::vector<std::vector<VertexAngle>> sent;
   DGG_RETURN_IF_ERROR(group.Run([&] {
-    const std::vector<VertexAngle> ofMesh = MeasureVertexAngles(mesh);
+    const std::vector<VertexAngle> ofMesh = MeasureVertexAngles(mesh.Mesh);
     const std::vector<Id> order = region.GetOrder();
     for (std::size_t i = 0; i < order.size(); ++i)
     {
@@ -202,7 +201,7 @@ Status PieceSearch::MeasureAngles(
       this->Fans = std::make_unique<const GraphFans>(this->Graph, angles, deviation);
     }
     this->Correction = std::make_unique<const LabelCorrection>(
-      this->Graph, std::move(angles), deviation, mesh.GetMeanEdgeLength());
+      this->Graph, std::move(angles), deviation, mesh.Mesh.GetMeanEdgeLength());
     return Status::Success();
   });
 }

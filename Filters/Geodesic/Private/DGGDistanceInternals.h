@@ -29,8 +29,8 @@ public:
   dgg::Status Execute(const DGGContext& context, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
   bool CanDistribute() const override;
-  dgg::Status ExecutePiece(const DGGContext& context, const dgg::ProcessGroup& group,
-    const dgg::SurfacePiece& piece, vtkInformationVector* outputVector, bool& isDone) override;
+  dgg::Status ExecutePiece(
+    const DGGContext& context, const DGGPieceUpdate& update, bool& isDone) override;
   bool PassesSurface() const override { return true; }
   void MakeEmptyOutput(const DGGContext& context, vtkInformationVector* outputVector) override;
   std::string GetMemoryRemedy() const override
@@ -46,9 +46,9 @@ public:
   /// Adds distances on a piece to the results, together with the other processes; the arguments are
   /// the same on all of them. `isDone` becomes false on all processes if the pieces must be
   /// gathered, which is the default.
-  virtual dgg::Status ComputePiece(const DGGContext& context, const dgg::ProcessGroup& group,
-    const dgg::SurfacePiece& piece, const dgg::SourceCollection& sources,
-    const dgg::DistanceRequest& request, dgg::DistanceOutput& results, bool& isDone);
+  virtual dgg::Status ComputePiece(const DGGContext& context, const DGGPieceUpdate& update,
+    const dgg::SourceCollection& sources, const dgg::DistanceRequest& request,
+    dgg::DistanceOutput& results, bool& isDone);
 
   /// Reports why distances may be far off; an empty text for no reason.
   virtual void ReportQuality(const std::string& warning) { this->WarnAboutQuality(warning); }
@@ -59,6 +59,8 @@ public:
 
 private:
   DGGSourceSet GetSources(vtkInformationVector** inputVector) const;
+  dgg::Status CollectFromAll(
+    const DGGPieceUpdate& update, dgg::SourceCollection& sources, bool& areUsable) const;
   dgg::DistanceRequest MakeRequest() const;
   void AddResults(dgg::Output& results, vtkPolyData* output) const;
 

@@ -65,7 +65,7 @@ dgg::Status DGGGraphUser::Update(const DGGContext& context, vtkObject* filter)
   dgg::GraphOptions options;
   options.Accuracy = this->Accuracy;
   DGG_RETURN_IF_ERROR(this->Check());
-  this->Piece.reset();
+  this->UsesPiece = false;
   this->SetLinkAccuracy(this->Accuracy);
   vtkFieldData* data = context.Input->GetFieldData();
   if (this->IsFromInput() && !this->InputGraph.IsSame(data, context.Surface))
@@ -113,31 +113,26 @@ dgg::Status DGGGraphUser::Update(const DGGContext& context, vtkObject* filter)
 dgg::Status DGGGraphUser::UpdatePiece(const DGGContext& context, const dgg::ProcessGroup& group,
   const dgg::SurfacePiece& piece, vtkObject* filter, bool& isDone)
 {
-  this->ForgetGraph();
-  if (!this->Piece)
-  {
-    this->Piece = std::make_unique<DGGPieceGraph>();
-    this->WarnedAccuracy = 0.0;
-  }
   dgg::GraphOptions options;
   options.Accuracy = this->Accuracy;
   std::string warning;
-  const dgg::Status status = this->Piece->Update(
-    context, group, piece, dgg::ShareOptions(group, options), true, isDone, warning);
+  DGG_RETURN_IF_ERROR(this->Piece.Update(
+    context, group, piece, dgg::ShareOptions(group, options), true, isDone, warning));
+  this->UsesPiece = isDone;
+  if (!isDone)
+  {
+    return dgg::Status::Success();
+  }
+  this->ForgetGraph();
   if (!warning.empty())
   {
     vtkWarningWithObjectMacro(filter, << DGGRender(warning) << ".");
-  }
-  if (!status.IsOk() || !isDone)
-  {
-    this->Piece.reset();
-    return status;
   }
   if (this->IsFromInput())
   {
     this->WarnAboutAccuracy(filter);
   }
-  return status;
+  return dgg::Status::Success();
 }
 
 //------------------------------------------------------------------------------

@@ -17,7 +17,6 @@
 #include "vtkTimeStamp.h" // for the build time
 
 #include <cstddef> // for std::size_t
-#include <memory>  // for the graph of a piece
 #include <ostream> // for PrintSelf()
 
 class vtkObject;
@@ -51,27 +50,30 @@ public:
   dgg::Status UpdatePiece(const DGGContext& context, const dgg::ProcessGroup& group,
     const dgg::SurfacePiece& piece, vtkObject* filter, bool& isDone);
   /// Returns the graph of the piece; null if the last update was not by UpdatePiece().
-  const DGGGraphArrays* GetPiece() const { return this->Piece ? &this->Piece->Get() : nullptr; }
+  const DGGGraphArrays* GetPiece() const { return this->UsesPiece ? &this->Piece.Get() : nullptr; }
 
   ///@{
   /// Values of getters: the properties of the graph, true if it is on the input, true if its
   /// accuracy is guaranteed, and the time of the last build of a graph.
   const dgg::GraphSummary& GetSummary() const
   {
-    return this->Piece ? this->Piece->GetSummary() : GraphSession::GetSummary();
+    return this->UsesPiece ? this->Piece.GetSummary() : GraphSession::GetSummary();
   }
   std::size_t GetMemorySize() const
   {
-    return this->Piece ? this->Piece->GetSummary().MemorySize : GraphSession::GetMemorySize();
+    return this->UsesPiece ? this->Piece.GetSummary().MemorySize : GraphSession::GetMemorySize();
   }
-  bool IsFromInput() const { return this->Piece ? this->Piece->IsOnInput() : this->UsedInput != 0; }
+  bool IsFromInput() const
+  {
+    return this->UsesPiece ? this->Piece.IsOnInput() : this->UsedInput != 0;
+  }
   bool IsGuaranteed() const
   {
-    return (this->Piece || this->HasGraph()) && this->GetSummary().Info.IsGuaranteed();
+    return (this->UsesPiece || this->HasGraph()) && this->GetSummary().Info.IsGuaranteed();
   }
   vtkMTimeType GetBuildTime() const
   {
-    return this->Piece ? this->Piece->GetBuildTime() : this->BuildTime.GetMTime();
+    return this->UsesPiece ? this->Piece.GetBuildTime() : this->BuildTime.GetMTime();
   }
   ///@}
 
@@ -91,7 +93,8 @@ private:
   double OwnAccuracy = 0.0;    // accuracy of the graph built here; 0 if unused
   double WarnedAccuracy = 0.0; // accuracy in the last warning
   vtkTimeStamp BuildTime;
-  std::unique_ptr<DGGPieceGraph> Piece; // null unless a piece was updated last
+  DGGPieceGraph Piece;
+  bool UsesPiece = false; // the last update was by UpdatePiece()
 };
 
 /// Private implementation of filters of one class that search a graph. An input with the graph of a

@@ -24,6 +24,11 @@ dgg::Status DGGPieceGraph::Update(const DGGContext& context, const dgg::ProcessG
     return dgg::Status::Success();
   }
   const dgg::Signature ofPiece = dgg::ComputeSignature(piece);
+  isDone = !group.Holds(this->Refused == ofPiece);
+  if (!isDone)
+  {
+    return dgg::Status::Success();
+  }
   const dgg::Signature signature = dgg::SumSignatures(group.Share(ofPiece));
   std::string complaint;
   bool isFound = this->OnInput.FindPiece(data, piece.NumberOfPoints, context.Parallel, complaint);
@@ -55,6 +60,7 @@ dgg::Status DGGPieceGraph::Update(const DGGContext& context, const dgg::ProcessG
       dgg::BuildPieceGraph(context, group, piece, options, graph, this->Estimate, isDone));
     if (!isDone)
     {
+      this->Refused = ofPiece;
       return dgg::Status::Success();
     }
     this->Built.Adopt(graph, context);

@@ -52,6 +52,7 @@ private:
   DGGGraphArrays Built;
   bool IsFound = false;        // OnInput is used
   dgg::Signature BuiltPiece{}; // piece of which Built has rows
+  dgg::Signature Refused{};    // piece of which no graph can be built
   dgg::GraphEstimate Estimate;
   dgg::GraphSummary Summary;
   vtkTimeStamp BuildTime;

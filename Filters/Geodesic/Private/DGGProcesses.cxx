@@ -278,6 +278,29 @@ dgg::Status DGGProcesses::Gather(
 }
 
 //------------------------------------------------------------------------------
+dgg::Status DGGProcesses::JoinOnFirst(
+  vtkDataObject* here, vtkSmartPointer<vtkPolyData>& joined) const
+{
+  vtkIdType others = 0;
+  std::vector<DGGSurfacePart> parts = DGGFindParts(here, others);
+  dgg::Status status;
+  for (DGGSurfacePart& part : parts)
+  {
+    status = status.IsOk() ? DGGRemoveGhosts(part.Data) : status;
+  }
+  DGG_RETURN_IF_ERROR(this->Agree(status));
+  std::vector<std::size_t> counts;
+  status = this->Gather(parts, counts);
+  DGGJoinedParts whole;
+  if (status.IsOk() && this->IsFirst())
+  {
+    status = whole.Join(parts);
+    joined = whole.GetWhole();
+  }
+  return this->Agree(status);
+}
+
+//------------------------------------------------------------------------------
 void DGGProcesses::Scatter(
   const std::vector<std::size_t>& counts, std::vector<DGGPartResult>& results) const
 {

@@ -46,6 +46,9 @@ public:
   /// number of parts of each. Fails there if a part arrives damaged; the remaining parts are
   /// received nevertheless.
   dgg::Status Gather(std::vector<DGGSurfacePart>& parts, std::vector<std::size_t>& counts) const;
+  /// Joins the points and cells that all processes have of an input, on the first process;
+  /// elsewhere `joined` is null. `here` may be null.
+  dgg::Status JoinOnFirst(vtkDataObject* here, vtkSmartPointer<vtkPolyData>& joined) const;
   /// Sends the results of all parts from the first process to the processes of the parts; the
   /// inverse of Gather().
   void Scatter(const std::vector<std::size_t>& counts, std::vector<DGGPartResult>& results) const;
