@@ -14,7 +14,7 @@
 
 class vtkMultiProcessController;
 
-/// Exchanges messages between processes. DGG::FiltersParallel registers a distributor for MPI when
+/// Transfers messages between processes. DGG::FiltersParallel registers a distributor for MPI when
 /// it is loaded; without one, pieces are gathered.
 class VTKDGGFILTERSGEODESIC_EXPORT DGGDistributor
 {
@@ -23,9 +23,9 @@ public:
 
   /// Returns true if the processes of a controller can exchange messages.
   virtual bool Supports(vtkMultiProcessController* controller) const = 0;
-  /// Sends messages[p] to each process p; messages[p] becomes the message from process p.
-  virtual void Exchange(
-    vtkMultiProcessController* controller, std::vector<dgg::Message>& messages) const = 0;
+  /// See dgg::ProcessGroup::Transfer.
+  virtual void Transfer(vtkMultiProcessController* controller, std::vector<dgg::Message>& sent,
+    std::vector<dgg::Message>& received) const = 0;
 
   static void Register(std::unique_ptr<const DGGDistributor> distributor);
   /// Returns the distributor; null if none is registered.

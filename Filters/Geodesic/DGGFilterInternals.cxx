@@ -246,19 +246,20 @@ dgg::Status DGGFilterInternals::ComputePiece(const DGGProcesses& processes,
   {
     return dgg::Status::Success();
   }
-  DGG_RETURN_IF_ERROR(group.Run([&] {
+  return group.Agree(this->Try([&] {
     DGG_RETURN_IF_ERROR(this->CheckAllProperties());
-    return DGGRemoveGhosts(part);
+    DGG_RETURN_IF_ERROR(DGGRemoveGhosts(part));
+    static const dgg::PreparedSurface none; // of the entire surface
+    const DGGContext update = this->MakeContext(part);
+    const DGGContext context{ { none, update.Memory, update.NumberOfThreads, update.Progress,
+                                update.Parallel, update.GetCells },
+      part };
+    group.MemoryLimit = update.Memory.GetBytes();
+    DGGSurfaceArrays copies(part, true, false);
+    const dgg::SurfacePiece piece = DGGConvertPart({ part, 0 }, copies);
+    return this->ExecutePiece(
+      context, { processes, group, piece, inputVector, outputVector }, isDone);
   }));
-  static const dgg::PreparedSurface none; // of the entire surface
-  const DGGContext update = this->MakeContext(part);
-  const DGGContext context{ { none, update.Memory, update.NumberOfThreads, update.Progress,
-                              update.Parallel, update.GetCells },
-    part };
-  DGGSurfaceArrays copies(part, true, false);
-  const dgg::SurfacePiece piece = DGGConvertPart({ part, 0 }, copies);
-  return this->ExecutePiece(
-    context, { processes, group, piece, inputVector, outputVector }, isDone);
 }
 
 //------------------------------------------------------------------------------

@@ -33,7 +33,7 @@ class vtkPolyData;
 namespace dgg
 {
 struct Output;
-struct ProcessGroup;
+class ProcessGroup;
 struct SurfacePiece;
 }
 
@@ -41,7 +41,7 @@ struct SurfacePiece;
 struct DGGPieceUpdate
 {
   const DGGProcesses& Processes;
-  const dgg::ProcessGroup& Group;
+  dgg::ProcessGroup& Group;
   const dgg::SurfacePiece& Piece; ///< of this process, without ghosts
   vtkInformationVector** Inputs;
   vtkInformationVector* Outputs;
@@ -74,7 +74,7 @@ public:
   /// Steps in place of Execute() on several processes with one piece each. CanDistribute() returns
   /// true if the properties allow them. ExecutePiece() is called on all processes; the input of the
   /// context is the piece. `isDone` becomes false on all processes if the pieces must be gathered.
-  /// Errors must be the same on all processes (ProcessGroup::Agree).
+  /// An error or an exception of one process ends the update of all.
   virtual bool CanDistribute() const { return false; }
   virtual dgg::Status ExecutePiece(
     const DGGContext& context, const DGGPieceUpdate& update, bool& isDone);

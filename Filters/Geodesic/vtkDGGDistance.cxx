@@ -36,6 +36,9 @@ public:
   }
 
 private:
+  dgg::Status PreparePiece(
+    dgg::ProcessGroup& group, const dgg::SurfacePiece& piece, bool hasPositions, bool& isDone);
+
   std::unique_ptr<dgg::PieceSearch> PieceSearch; // in the graph with PieceKey
   std::unique_ptr<dgg::PieceLinks> PieceLinks;   // null unless positions were found
   DGGGraphArrays::Key PieceKey;
@@ -101,39 +104,57 @@ dgg::Status vtkDGGDistance::vtkInternals::ComputePiece(const DGGContext& context
   const DGGPieceUpdate& update, const dgg::SourceCollection& sources,
   const dgg::DistanceRequest& request, dgg::DistanceOutput& results, bool& isDone)
 {
-  const dgg::ProcessGroup& group = update.Group;
+  dgg::ProcessGroup& group = update.Group;
   DGG_RETURN_IF_ERROR(
     this->GraphUser.UpdatePiece(context, group, update.Piece, this->Self, isDone));
   if (!isDone)
   {
     return dgg::Status::Success();
   }
-  const DGGGraphArrays& graph = *this->GraphUser.GetPiece();
-  if (!group.Holds(this->PieceSearch && this->PieceKey == graph.GetKey()))
-  {
-    this->PieceLinks.reset();
-    this->PieceSearch = std::make_unique<dgg::PieceSearch>();
-    this->PieceKey = graph.GetKey();
-    DGG_RETURN_IF_ERROR(this->PieceSearch->Prepare(
-      group, update.Piece, graph.GetView(), graph.GetGraph().GetGhosts(), isDone));
-  }
-  const bool hasPositions = sources.GetNumberOfPositions() > 0;
-  if (hasPositions && isDone && !group.Holds(this->PieceLinks != nullptr))
-  {
-    this->PieceLinks = std::make_unique<dgg::PieceLinks>();
-    DGG_RETURN_IF_ERROR(this->PieceLinks->Prepare(group, update.Piece, isDone));
-  }
-  isDone = isDone && this->PieceSearch->HasConsecutiveIds(); // as the ids of sources
+  DGG_RETURN_IF_ERROR(
+    this->PreparePiece(group, update.Piece, sources.GetNumberOfPositions() > 0, isDone));
   if (!isDone)
   {
     this->PieceSearch.reset();
     return dgg::Status::Success();
   }
-  const double accuracy = this->GraphUser.GetSummary().Info.Accuracy;
-  return dgg::FindPieceDistances(group, *this->PieceSearch,
-    hasPositions ? this->PieceLinks.get() : nullptr, sources,
-    group.Share(this->Self->GetProjectionTolerance()).front(),
-    group.Share(this->Self->Correction).front(),
-    accuracy > 0.0 ? accuracy : group.Share(this->Self->GetAccuracy()).front(), request,
-    context.Progress, results);
+  dgg::PieceDistanceOptions options;
+  options.Tolerance = this->Self->GetProjectionTolerance();
+  options.Correct = this->Self->Correction;
+  options.Accuracy = this->GraphUser.GetSummary().Info.Accuracy;
+  if (!(options.Accuracy > 0.0))
+  {
+    options.Accuracy = this->Self->GetAccuracy();
+  }
+  DGG_RETURN_IF_ERROR(group.TakeFromFirst(options));
+  return dgg::FindPieceDistances(group, *this->PieceSearch, this->PieceLinks.get(), sources,
+    options, request, context.Progress, results);
+}
+
+//------------------------------------------------------------------------------
+/// Prepares searches in the graph of the piece, from positions as well if there are any. Ids of
+/// sources must number the points.
+dgg::Status vtkDGGDistance::vtkInternals::PreparePiece(
+  dgg::ProcessGroup& group, const dgg::SurfacePiece& piece, bool hasPositions, bool& isDone)
+{
+  const DGGGraphArrays& graph = *this->GraphUser.GetPiece();
+  bool isPrepared = this->PieceSearch && this->PieceKey == graph.GetKey();
+  DGG_RETURN_IF_ERROR(group.Require(isPrepared));
+  if (!isPrepared)
+  {
+    this->PieceLinks.reset();
+    this->PieceSearch = std::make_unique<dgg::PieceSearch>();
+    this->PieceKey = graph.GetKey();
+    DGG_RETURN_IF_ERROR(this->PieceSearch->Prepare(
+      group, piece, graph.GetView(), graph.GetGraph().GetGhosts(), isDone));
+    isDone = isDone && this->PieceSearch->HasConsecutiveIds();
+  }
+  bool canLink = this->PieceLinks != nullptr;
+  DGG_RETURN_IF_ERROR(group.Require(canLink));
+  if (hasPositions && !canLink && isDone)
+  {
+    this->PieceLinks = std::make_unique<dgg::PieceLinks>();
+    DGG_RETURN_IF_ERROR(this->PieceLinks->Prepare(group, piece, isDone));
+  }
+  return dgg::Status::Success();
 }

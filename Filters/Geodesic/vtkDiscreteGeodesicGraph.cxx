@@ -264,8 +264,8 @@ dgg::Status vtkDiscreteGeodesicGraph::vtkInternals::ExecutePiece(
 {
   this->Built.Clear();
   std::string warning;
-  DGG_RETURN_IF_ERROR(this->Piece.Update(context, update.Group, update.Piece,
-    dgg::ShareOptions(update.Group, this->MakeOptions()), false, isDone, warning));
+  DGG_RETURN_IF_ERROR(this->Piece.Update(
+    context, update.Group, update.Piece, this->MakeOptions(), false, isDone, warning));
   this->InputGraphDamage = this->Piece.GetDamage();
   this->Warn(warning);
   if (!isDone)

@@ -221,8 +221,14 @@ dgg::Status DGGDistanceInternals::ExecutePiece(
     return dgg::Status::Success();
   }
   dgg::DistanceRequest request = this->MakeRequest();
-  request.MaximumDistance = update.Group.Share(request.MaximumDistance).front();
-  request.WantNearestSource = update.Group.Share(request.WantNearestSource).front();
+  struct
+  {
+    double MaximumDistance;
+    bool WantNearestSource;
+  } first{ request.MaximumDistance, request.WantNearestSource };
+  DGG_RETURN_IF_ERROR(update.Group.TakeFromFirst(first));
+  request.MaximumDistance = first.MaximumDistance;
+  request.WantNearestSource = first.WantNearestSource;
   dgg::DistanceOutput results;
   DGG_RETURN_IF_ERROR(this->ComputePiece(context, update, sources, request, results, isDone));
   if (isDone)
@@ -240,27 +246,27 @@ dgg::Status DGGDistanceInternals::ExecutePiece(
 dgg::Status DGGDistanceInternals::CollectFromAll(
   const DGGPieceUpdate& update, dgg::SourceCollection& sources, bool& areUsable) const
 {
-  const dgg::ProcessGroup& group = update.Group;
+  dgg::ProcessGroup& group = update.Group;
   vtkDataObject* here = vtkDataObject::GetData(update.Inputs[1]);
-  const bool hasPoints = !group.Holds(here == nullptr);
+  bool isEmpty = here == nullptr;
+  DGG_RETURN_IF_ERROR(group.Require(isEmpty));
   vtkSmartPointer<vtkPolyData> points;
-  if (hasPoints)
+  if (!isEmpty)
   {
-    DGG_RETURN_IF_ERROR(update.Processes.JoinOnFirst(here, points));
+    DGG_RETURN_IF_ERROR(update.Processes.JoinOnFirst(group, here, points));
   }
-  const std::vector<vtkIdType> ids = group.TakeFromFirst(this->Filter->SourceIds);
-  const std::vector<double> offsets = group.TakeFromFirst(this->Filter->SourceOffsets);
-  DGG_RETURN_IF_ERROR(group.Run([&] {
-    return DGGCollect(
-      { ids, points, 1, "source", "SourceIds", this->Filter->InitialDistanceArrayName, &offsets },
-      sources);
-  }));
-  sources.IsConnected = hasPoints;
-  sources.Positions = group.TakeFromFirst(sources.Positions);
-  sources.InitialDistances = group.TakeFromFirst(sources.InitialDistances);
-  areUsable = group.Holds(
-    sources.OriginalIds.empty() && (sources.Cells.empty() || sources.Barycentric.empty()));
-  return dgg::Status::Success();
+  std::vector<vtkIdType> ids = this->Filter->SourceIds;
+  std::vector<double> offsets = this->Filter->SourceOffsets;
+  DGG_RETURN_IF_ERROR(group.TakeListFromFirst(ids));
+  DGG_RETURN_IF_ERROR(group.TakeListFromFirst(offsets));
+  DGG_RETURN_IF_ERROR(DGGCollect(
+    { ids, points, 1, "source", "SourceIds", this->Filter->InitialDistanceArrayName, &offsets },
+    sources));
+  sources.IsConnected = !isEmpty;
+  DGG_RETURN_IF_ERROR(group.TakeListFromFirst(sources.Positions));
+  DGG_RETURN_IF_ERROR(group.TakeListFromFirst(sources.InitialDistances));
+  areUsable = sources.OriginalIds.empty() && (sources.Cells.empty() || sources.Barycentric.empty());
+  return group.Require(areUsable);
 }
 
 //------------------------------------------------------------------------------

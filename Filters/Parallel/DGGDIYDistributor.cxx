@@ -14,11 +14,25 @@
 #include VTK_DIY2(diy/mpi.hpp)
 // clang-format on
 
+#include <algorithm>
+#include <cstddef>
 #include <memory>
 
 namespace
 {
 using Messages = std::vector<dgg::Message>;
+using diy::detail::VectorWindow;
+
+constexpr int Tag = 5813; // differs from the tags of other messages of the controller
+/// Bytes of the longest message of MPI, which counts them with an int.
+constexpr std::size_t LongestMessage = std::size_t{ 1 } << 30;
+
+/// Returns the part of a message that begins at a byte.
+VectorWindow<char> GetWindow(dgg::Message& message, std::size_t begin)
+{
+  const std::size_t first = std::min(begin, message.size());
+  return { message.data() + first, std::min(LongestMessage, message.size() - first) };
+}
 
 class DIYDistributor : public DGGDistributor
 {
@@ -28,30 +42,37 @@ public:
     return vtkMPIController::SafeDownCast(controller) != nullptr;
   }
 
-  void Exchange(vtkMultiProcessController* controller, Messages& messages) const override
+  void Transfer(
+    vtkMultiProcessController* controller, Messages& sent, Messages& received) const override
   {
-    // The communicator must not outlive MPI, so it is not kept.
-    diy::mpi::communicator communicator = vtkDIYUtilities::GetCommunicator(controller);
-    diy::Master master(communicator, 1);
-    auto link = std::make_unique<diy::Link>();
-    for (int process = 0; process < communicator.size(); ++process)
+    // DIY's Master would store copies of all messages, and duplicate the communicator.
+    const diy::mpi::communicator communicator = vtkDIYUtilities::GetCommunicator(controller);
+    const int count = communicator.size();
+    for (int step = 0; step < count; ++step)
     {
-      link->add_neighbor({ process, process }); // one block per process
+      const int to = (communicator.rank() + step) % count;
+      const int from = (communicator.rank() + count - step) % count;
+      dgg::Message& out = sent[to];
+      dgg::Message& in = received[from];
+      for (std::size_t begin = 0; begin < std::max(out.size(), in.size()); begin += LongestMessage)
+      {
+        VectorWindow<char> taken = GetWindow(out, begin);
+        VectorWindow<char> filled = GetWindow(in, begin);
+        diy::mpi::request request;
+        if (taken.count > 0)
+        {
+          request = communicator.isend(to, Tag, taken);
+        }
+        if (filled.count > 0)
+        {
+          communicator.recv(from, Tag, filled);
+        }
+        if (taken.count > 0)
+        {
+          request.wait();
+        }
+      }
     }
-    master.add(communicator.rank(), &messages, link.release());
-    master.foreach ([](Messages* sent, const diy::Master::ProxyWithLink& proxy) {
-      for (int process = 0; process < proxy.link()->size(); ++process)
-      {
-        proxy.enqueue(proxy.link()->target(process), (*sent)[process]);
-      }
-    });
-    master.exchange();
-    master.foreach ([](Messages* received, const diy::Master::ProxyWithLink& proxy) {
-      for (int process = 0; process < proxy.link()->size(); ++process)
-      {
-        proxy.dequeue(process, (*received)[process]);
-      }
-    });
   }
 };
 }

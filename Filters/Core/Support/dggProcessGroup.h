@@ -5,15 +5,16 @@
 #ifndef dggProcessGroup_h
 #define dggProcessGroup_h
 
-#include "dggStatus.h" // for Status
+#include "dggMemoryLimit.h" // for CheckMemory
+#include "dggStatus.h"      // for Status
 
 #include <algorithm>   // for std::find
-#include <array>       // for single values
 #include <cstddef>     // for std::size_t
 #include <cstring>     // for std::memcpy
-#include <functional>  // for the exchange
-#include <new>         // for std::bad_alloc
+#include <functional>  // for the transfer
+#include <numeric>     // for std::accumulate
 #include <type_traits> // for std::is_trivially_copyable
+#include <utility>     // for std::move
 #include <vector>      // for messages
 
 namespace dgg
@@ -72,76 +73,136 @@ private:
 };
 
 /// Processes that compute a result together. All of them must call the same functions in the same
-/// order.
-struct ProcessGroup
+/// order, because the functions return when all processes have called them.
+///
+/// If a process fails or throws elsewhere, it must call Agree() with the error. The error then ends
+/// the current or next function of the other processes, and the group communicates no more.
+class ProcessGroup
 {
+public:
   int Here = 0;
   int Count = 1;
-  /// Sends messages[p] to each process p; messages[p] becomes the message from process p.
-  std::function<void(std::vector<Message>&)> Exchange;
+  /// Bytes that this process may use; see Exchange().
+  double MemoryLimit = Infinity;
+  /// Sends sent[p] to each process p and fills received[p], which has the size of the message from
+  /// process p. Must not allocate memory in proportion to the messages.
+  std::function<void(std::vector<Message>& sent, std::vector<Message>& received)> Transfer;
   /// Returns success if all processes succeeded, otherwise the error of the first one that failed.
-  std::function<Status(const Status&)> Agree;
+  std::function<Status(const Status&)> FindFailure;
 
-  /// Runs a step without messages on all processes. Fails on all of them if it fails on one.
-  template <typename Step>
-  Status Run(const Step& step) const
+  /// Returns success if all processes pass success, otherwise the same error on all processes.
+  Status Agree(const Status& status)
   {
-    Status status;
-    try
+    if (this->Failure.IsOk())
     {
-      status = step();
+      this->Failure = this->FindFailure(status);
     }
-    catch (const std::bad_alloc&)
-    {
-      status = Status(Status::Code::OutOfMemory, "Memory is exhausted")
-                 .Fix("Use more processes or a smaller surface");
-    }
-    return this->Agree(status);
+    return this->Failure;
   }
 
-  /// Returns the lists of all processes, in their order.
+  /// Sends messages[p] to each process p; messages[p] becomes the message from process p. Fails if
+  /// the messages and `inUse`, the bytes in use already, exceed the limit of a process.
+  Status Exchange(std::vector<Message>& messages, double inUse)
+  {
+    std::vector<std::size_t> sizes;
+    for (const Message& message : messages)
+    {
+      sizes.push_back(message.size());
+    }
+    const std::vector<std::size_t> sent = sizes;
+    DGG_RETURN_IF_ERROR(this->Swap(sizes));
+    const double bytes = std::accumulate(sent.begin(), sent.end(), 0.0) +
+      std::accumulate(sizes.begin(), sizes.end(), 0.0);
+    const Status status =
+      CheckMemory("The exchange of pieces", inUse + bytes, this->MemoryLimit, "Use more processes");
+    std::vector<Message> received(sizes.size());
+    for (std::size_t process = 0; process < sizes.size() && status.IsOk(); ++process)
+    {
+      received[process].resize(sizes[process]);
+    }
+    DGG_RETURN_IF_ERROR(this->Agree(status));
+    this->Transfer(messages, received);
+    messages.swap(received);
+    return Status::Success();
+  }
+
+  /// Gets the values of all processes, in their order.
   template <typename T>
-  std::vector<std::vector<T>> ShareList(const std::vector<T>& list) const
+  Status Share(const T& value, std::vector<T>& all)
+  {
+    all.assign(static_cast<std::size_t>(this->Count), value);
+    return this->Swap(all);
+  }
+
+  /// Replaces a value by that of the first process.
+  template <typename T>
+  Status TakeFromFirst(T& value)
+  {
+    std::vector<T> all;
+    DGG_RETURN_IF_ERROR(this->Share(value, all));
+    value = all.front();
+    return Status::Success();
+  }
+
+  /// Gets the lists of all processes, in their order.
+  template <typename T>
+  Status ShareList(const std::vector<T>& list, std::vector<std::vector<T>>& all)
   {
     std::vector<Message> messages(static_cast<std::size_t>(this->Count));
     for (Message& message : messages)
     {
       Append(message, list);
     }
-    this->Exchange(messages);
-    std::vector<std::vector<T>> lists;
+    DGG_RETURN_IF_ERROR(this->Exchange(messages, 0.0));
+    all.clear();
     for (const Message& message : messages)
     {
-      lists.push_back(MessageReader(message).Take<T>());
+      all.push_back(MessageReader(message).Take<T>());
     }
-    return lists;
+    return Status::Success();
   }
 
-  /// Returns the values of all processes, in their order.
+  /// Replaces a list by that of the first process.
   template <typename T>
-  std::vector<T> Share(const T& value) const
+  Status TakeListFromFirst(std::vector<T>& list)
   {
-    std::vector<T> values;
-    for (const auto& list : this->ShareList(std::vector<std::array<T, 1>>{ { value } }))
+    std::vector<std::vector<T>> all;
+    DGG_RETURN_IF_ERROR(this->ShareList(this->Here == 0 ? list : std::vector<T>(), all));
+    list = std::move(all.front());
+    return Status::Success();
+  }
+
+  /// Makes a condition false unless it is true on all processes.
+  Status Require(bool& condition)
+  {
+    std::vector<char> all;
+    DGG_RETURN_IF_ERROR(this->Share(static_cast<char>(condition ? 1 : 0), all));
+    condition = std::find(all.begin(), all.end(), 0) == all.end();
+    return Status::Success();
+  }
+
+private:
+  /// Sends values[p] to each process p; values[p] becomes the value from process p.
+  template <typename T>
+  Status Swap(std::vector<T>& values)
+  {
+    static_assert(std::is_trivially_copyable_v<T>);
+    std::vector<Message> sent(values.size(), Message(sizeof(T)));
+    std::vector<Message> received = sent;
+    for (std::size_t process = 0; process < values.size(); ++process)
     {
-      values.push_back(list.front()[0]);
+      std::memcpy(sent[process].data(), &values[process], sizeof(T));
     }
-    return values;
+    DGG_RETURN_IF_ERROR(this->Agree(Status::Success()));
+    this->Transfer(sent, received);
+    for (std::size_t process = 0; process < values.size(); ++process)
+    {
+      std::memcpy(&values[process], received[process].data(), sizeof(T));
+    }
+    return Status::Success();
   }
 
-  /// Returns the values of the first process.
-  template <typename T>
-  std::vector<T> TakeFromFirst(const std::vector<T>& values) const
-  {
-    return this->ShareList(this->Here == 0 ? values : std::vector<T>()).front();
-  }
-
-  /// Returns true if the condition holds on all processes.
-  bool Holds(bool condition) const
-  {
-    const std::vector<char> all = this->Share(static_cast<char>(condition ? 1 : 0));
-    return std::find(all.begin(), all.end(), 0) == all.end();
-  }
+  Status Failure; // of the first process that failed
 };
 }
 

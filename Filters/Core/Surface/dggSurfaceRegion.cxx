@@ -25,6 +25,11 @@ constexpr double SlackMargin = 4.0 * DegeneracySlack;
 constexpr double ShortestLength = 1e-25;
 constexpr double LongestPath = 1e37;
 
+/// Bytes of a point of a region: its id, position and list of holders, and its entry in the map of
+/// points.
+constexpr double BytesOfPoint =
+  sizeof(Offset) + 3 * sizeof(double) + sizeof(std::vector<int>) + 32 + sizeof(Offset) + 48;
+
 /// Copy of a point that a process has sent.
 struct SentPoint
 {
@@ -71,32 +76,26 @@ void AppendTo(std::vector<T>& all, const std::vector<T>& more)
 }
 }
 
-Status SurfaceRegion::Start(const ProcessGroup& group, const SurfacePiece& piece, bool& isUsable)
+Status SurfaceRegion::Start(ProcessGroup& group, const SurfacePiece& piece, bool& isUsable)
 {
   *this = SurfaceRegion();
   this->Piece = &piece;
-  bool isValid = false;
-  DGG_RETURN_IF_ERROR(group.Run([&] {
-    isValid = IsValid(piece) && this->AddPiece();
-    this->IsSent.assign(static_cast<std::size_t>(group.Count),
-      std::vector<bool>(static_cast<std::size_t>(piece.Cells[Polygons].NumberOfCells)));
-    this->IsPointSent.assign(static_cast<std::size_t>(group.Count),
-      std::vector<bool>(static_cast<std::size_t>(piece.NumberOfPoints)));
-    return Status::Success();
-  }));
-  isUsable = group.Holds(isValid);
+  isUsable = IsValid(piece) && this->AddPiece();
+  DGG_RETURN_IF_ERROR(group.Require(isUsable));
   if (!isUsable)
   {
     return Status::Success();
   }
-  bool isUnique = false;
-  this->FindHolders(group, isUnique);
-  isUsable = group.Holds(isUnique);
+  this->IsSent.assign(static_cast<std::size_t>(group.Count),
+    std::vector<bool>(static_cast<std::size_t>(piece.Cells[Polygons].NumberOfCells)));
+  this->IsPointSent.assign(static_cast<std::size_t>(group.Count),
+    std::vector<bool>(static_cast<std::size_t>(piece.NumberOfPoints)));
+  DGG_RETURN_IF_ERROR(this->FindHolders(group, isUsable));
   for (Id point = 0; point < this->GetNumberOfPoints(); ++point)
   {
     this->AddToRim(point, group.Here);
   }
-  return Status::Success();
+  return group.Require(isUsable);
 }
 
 /// Adds the points and polygons of the piece. Returns false if two points have the same id.
@@ -130,7 +129,7 @@ bool SurfaceRegion::AddPiece()
 
 /// Finds the processes that use the points of the piece. Every id is registered at one process,
 /// which compares its copies.
-void SurfaceRegion::FindHolders(const ProcessGroup& group, bool& isUnique)
+Status SurfaceRegion::FindHolders(ProcessGroup& group, bool& isUnique)
 {
   const auto count = static_cast<std::size_t>(group.Count);
   std::vector<std::vector<Offset>> ids(count);
@@ -154,7 +153,7 @@ void SurfaceRegion::FindHolders(const ProcessGroup& group, bool& isUnique)
     Append(messages[process], positions[process]);
     Append(messages[process], cells[process]);
   }
-  group.Exchange(messages);
+  DGG_RETURN_IF_ERROR(group.Exchange(messages, this->GetMemorySize()));
 
   std::vector<SentPoint> points;
   std::vector<Offset> allCells;
@@ -193,7 +192,7 @@ void SurfaceRegion::FindHolders(const ProcessGroup& group, bool& isUnique)
   {
     Append(messages[process], shared[process]);
   }
-  group.Exchange(messages);
+  DGG_RETURN_IF_ERROR(group.Exchange(messages, this->GetMemorySize()));
   for (const Message& message : messages)
   {
     const std::vector<Offset> list = MessageReader(message).Take<Offset>();
@@ -203,6 +202,7 @@ void SurfaceRegion::FindHolders(const ProcessGroup& group, bool& isUnique)
       this->Holders[this->Points.at(list[i])].assign(begin, begin + list[i + 1]);
     }
   }
+  return Status::Success();
 }
 
 Id SurfaceRegion::AddVertex(Offset globalId, int owner)
@@ -238,52 +238,44 @@ void SurfaceRegion::AddToRim(Id point, int here)
   }
 }
 
-Status SurfaceRegion::Grow(const ProcessGroup& group, int layers, bool isNeeded)
+Status SurfaceRegion::Grow(ProcessGroup& group, int layers, bool isNeeded, double inUse)
 {
   const auto count = static_cast<std::size_t>(group.Count);
+  std::vector<Message> messages(count);
   for (int layer = 0; layer < layers; ++layer)
   {
-    std::vector<Message> messages(count);
-    DGG_RETURN_IF_ERROR(group.Run([&] {
-      std::vector<std::vector<Offset>> requested(count);
-      for (const Id point : this->Rim)
+    std::vector<std::vector<Offset>> requested(count);
+    for (const Id point : this->Rim)
+    {
+      for (const int process : this->Holders[point])
       {
-        for (const int process : this->Holders[point])
+        if (isNeeded && process != group.Here)
         {
-          if (isNeeded && process != group.Here)
-          {
-            requested[process].push_back(this->PointIds[point]);
-          }
+          requested[process].push_back(this->PointIds[point]);
         }
       }
-      for (std::size_t process = 0; process < count; ++process)
-      {
-        Append(messages[process], requested[process]);
-      }
-      return Status::Success();
-    }));
-    group.Exchange(messages);
-    DGG_RETURN_IF_ERROR(group.Run([&] {
-      for (std::size_t process = 0; process < count; ++process)
-      {
-        const std::vector<Offset> requested = MessageReader(messages[process]).Take<Offset>();
-        messages[process].clear();
-        this->Answer(process, requested, messages[process]);
-      }
-      return Status::Success();
-    }));
-    group.Exchange(messages);
-    DGG_RETURN_IF_ERROR(group.Run([&] {
-      if (isNeeded)
-      {
-        this->Rim.clear();
-      }
-      for (const Message& message : messages)
-      {
-        this->AddCells(message, group.Here);
-      }
-      return Status::Success();
-    }));
+    }
+    for (std::size_t process = 0; process < count; ++process)
+    {
+      messages[process].clear();
+      Append(messages[process], requested[process]);
+    }
+    DGG_RETURN_IF_ERROR(group.Exchange(messages, this->GetMemorySize() + inUse));
+    for (std::size_t process = 0; process < count; ++process)
+    {
+      const std::vector<Offset> ids = MessageReader(messages[process]).Take<Offset>();
+      messages[process].clear();
+      this->Answer(process, ids, messages[process]);
+    }
+    DGG_RETURN_IF_ERROR(group.Exchange(messages, this->GetMemorySize() + inUse));
+    if (isNeeded)
+    {
+      this->Rim.clear();
+    }
+    for (const Message& message : messages)
+    {
+      this->AddCells(message, group.Here);
+    }
   }
   return Status::Success();
 }
@@ -371,6 +363,17 @@ void SurfaceRegion::AddCells(const Message& message, int here)
   }
 }
 
+double SurfaceRegion::GetMemorySize() const
+{
+  const auto points = static_cast<double>(this->PointIds.capacity());
+  const auto bits = static_cast<double>(
+    this->IsSent.size() * (this->NumberOfOwnCells + this->CellsOfPoints.Begins.size()) / 8);
+  return BytesOfPoint * points + static_cast<double>(this->Cells.capacity() * sizeof(Cell)) +
+    static_cast<double>(sizeof(Id) *
+      (this->Corners.capacity() + this->CellsOfPoints.Members.size() + this->Rim.capacity())) +
+    bits;
+}
+
 std::vector<Id> SurfaceRegion::GetOrder() const
 {
   std::vector<Id> order(this->PointIds.size());
@@ -380,33 +383,28 @@ std::vector<Id> SurfaceRegion::GetOrder() const
   return order;
 }
 
-Status SurfaceRegion::MakeMesh(
-  const ProcessGroup& group, RegionMesh& region, SurfaceFacts& facts) const
+Status SurfaceFacts::Share(ProcessGroup& group)
 {
-  SurfaceFacts here;
-  DGG_RETURN_IF_ERROR(group.Run([&] {
-    here = this->MakeHere(region);
-    return Status::Success();
-  }));
-  facts = SurfaceFacts();
-  for (const SurfaceFacts& part : group.Share(here))
+  std::vector<SurfaceFacts> parts;
+  DGG_RETURN_IF_ERROR(group.Share(*this, parts));
+  *this = SurfaceFacts();
+  for (const SurfaceFacts& part : parts)
   {
-    facts.IsRegular = facts.IsRegular && part.IsRegular;
-    facts.HasBranches = facts.HasBranches || part.HasBranches;
-    facts.NumberOfFaces += part.NumberOfFaces;
-    facts.LongestEdge = std::max(facts.LongestEdge, part.LongestEdge);
-    facts.ShortestEdge = std::min(facts.ShortestEdge, part.ShortestEdge);
-    facts.SmallestSlack = std::min(facts.SmallestSlack, part.SmallestSlack);
+    this->IsRegular = this->IsRegular && part.IsRegular;
+    this->HasBranches = this->HasBranches || part.HasBranches;
+    this->NumberOfFaces += part.NumberOfFaces;
+    this->LongestEdge = std::max(this->LongestEdge, part.LongestEdge);
+    this->ShortestEdge = std::min(this->ShortestEdge, part.ShortestEdge);
+    this->SmallestSlack = std::min(this->SmallestSlack, part.SmallestSlack);
   }
-  facts.IsRegular = facts.IsRegular && facts.NumberOfFaces > 0 &&
-    facts.SmallestSlack >= SlackMargin * facts.LongestEdge &&
-    facts.ShortestEdge >= ShortestLength &&
-    facts.LongestEdge * static_cast<double>(facts.NumberOfFaces) <= LongestPath;
+  this->IsRegular = this->IsRegular && this->NumberOfFaces > 0 &&
+    this->SmallestSlack >= SlackMargin * this->LongestEdge &&
+    this->ShortestEdge >= ShortestLength &&
+    this->LongestEdge * static_cast<double>(this->NumberOfFaces) <= LongestPath;
   return Status::Success();
 }
 
-/// Makes the mesh and returns the facts of the region, with the faces of the piece alone.
-SurfaceFacts SurfaceRegion::MakeHere(RegionMesh& region) const
+SurfaceFacts SurfaceRegion::MakeMesh(RegionMesh& region) const
 {
   region = RegionMesh();
   SurfaceMesh& mesh = region.Mesh;

@@ -18,7 +18,7 @@
 namespace dgg
 {
 /// Properties of the surface that all pieces form. They do not depend on the division.
-struct SurfaceFacts
+struct DGG_CORE_EXPORT SurfaceFacts
 {
   bool IsRegular = true; ///< no degenerate face, and the same orientation everywhere
   bool HasBranches = false;
@@ -27,6 +27,9 @@ struct SurfaceFacts
   double ShortestEdge = Infinity;
   /// Smallest difference between the sum of two edges of a face and the third edge.
   double SmallestSlack = Infinity;
+
+  /// Replaces the facts of the region of each process by those of the surface.
+  Status Share(ProcessGroup& group);
 };
 
 /// Mesh of a region; its vertices and faces are in the order of global ids.
@@ -47,13 +50,18 @@ public:
   /// Starts with a piece without ghosts, which must outlive the region. `isUsable` becomes false
   /// on all processes if the pieces must be gathered: if a global id is missing or occurs twice, if
   /// the copies of a point differ, or if a piece has strips or is not valid.
-  Status Start(const ProcessGroup& group, const SurfacePiece& piece, bool& isUsable);
+  Status Start(ProcessGroup& group, const SurfacePiece& piece, bool& isUsable);
 
-  /// Adds layers of cells. Processes that need none only send theirs.
-  Status Grow(const ProcessGroup& group, int layers, bool isNeeded);
+  /// Adds layers of cells. Processes that need none only send theirs. `inUse` are the bytes that
+  /// this process uses besides the region.
+  Status Grow(ProcessGroup& group, int layers, bool isNeeded, double inUse);
 
-  /// Makes the mesh of the region. `facts` are those of the whole surface.
-  Status MakeMesh(const ProcessGroup& group, RegionMesh& region, SurfaceFacts& facts) const;
+  /// Makes the mesh of the region. Returns the facts of the region, with the number of faces of the
+  /// piece.
+  SurfaceFacts MakeMesh(RegionMesh& region) const;
+
+  /// Returns the size in bytes.
+  double GetMemorySize() const;
 
   ///@{
   /// Points of the region; those of the piece come first.
@@ -80,12 +88,11 @@ private:
   };
 
   bool AddPiece();
-  void FindHolders(const ProcessGroup& group, bool& isUnique);
+  Status FindHolders(ProcessGroup& group, bool& isUnique);
   Id AddPoint(Offset globalId, const double* position, std::vector<int> holders);
   void AddToRim(Id point, int here);
   void Answer(std::size_t process, const std::vector<Offset>& requested, Message& answer);
   void AddCells(const Message& message, int here);
-  SurfaceFacts MakeHere(RegionMesh& region) const;
 
   const SurfacePiece* Piece = nullptr;
   std::vector<Offset> PointIds;

@@ -14,49 +14,47 @@
 
 namespace dgg
 {
-Status FindPieceDistances(const ProcessGroup& group, PieceSearch& search, PieceLinks* links,
-  const SourceCollection& sources, double tolerance, bool correct, double accuracy,
+Status FindPieceDistances(ProcessGroup& group, PieceSearch& search, PieceLinks* links,
+  const SourceCollection& sources, const PieceDistanceOptions& options,
   const DistanceRequest& request, const ProgressCallback& progress, DistanceOutput& output)
 {
-  DGG_RETURN_IF_ERROR(group.Agree(sources.Check(search.GetNumberOfPoints())));
+  DGG_RETURN_IF_ERROR(sources.Check(search.GetNumberOfPoints()));
   std::vector<PieceSeed> seeds;
   for (std::size_t i = 0; i < sources.Ids.size(); ++i)
   {
     const double offset = sources.GetInitialDistanceOfId(i);
     seeds.push_back({ sources.Ids[i], { NoId, offset, offset, static_cast<Id>(i), -1.0 } });
   }
-  if (links)
+  if (sources.GetNumberOfPositions() > 0)
   {
-    DGG_RETURN_IF_ERROR(links->Find(group, sources, tolerance, accuracy, seeds));
+    DGG_RETURN_IF_ERROR(links->Find(group, sources, options.Tolerance, options.Accuracy, seeds));
   }
   double smallestOffset = Infinity;
   for (const PieceSeed& seed : seeds)
   {
     smallestOffset = std::min(smallestOffset, seed.Seed.InitialDistance);
   }
-  PieceSearchOptions options;
-  options.MaximumDistance = correct
-    ? GraphSession::WidenLimit(request.MaximumDistance, smallestOffset, accuracy)
+  PieceSearchOptions wanted;
+  wanted.MaximumDistance = options.Correct
+    ? GraphSession::WidenLimit(request.MaximumDistance, smallestOffset, options.Accuracy)
     : request.MaximumDistance;
-  options.Correct = correct;
-  options.FindSources = request.WantNearestSource;
-  options.Progress = progress;
+  wanted.Correct = options.Correct;
+  wanted.FindSources = request.WantNearestSource;
+  wanted.Progress = progress;
   PieceDistances found;
-  DGG_RETURN_IF_ERROR(search.Run(group, seeds, options, found));
-  return group.Run([&] {
-    DistanceResults results;
-    results.MaximumDistance = request.MaximumDistance;
-    results.Arrays = request.Arrays;
-    for (VertexArray& array : results.Arrays)
-    {
-      array.Components = { found.Labels };
-    }
-    results.Distances = std::move(correct ? found.Corrected : found.Labels);
-    results.NearestSource = std::move(found.NearestSource);
-    const PreparedSurface none; // every point is a vertex
-    output.IsReached = FindReached(none, results);
-    WriteDistances(none, results, output.IsReached, request, output);
-    return Status::Success();
-  });
+  DGG_RETURN_IF_ERROR(search.Run(group, seeds, wanted, found));
+  DistanceResults results;
+  results.MaximumDistance = request.MaximumDistance;
+  results.Arrays = request.Arrays;
+  for (VertexArray& array : results.Arrays)
+  {
+    array.Components = { found.Labels };
+  }
+  results.Distances = std::move(options.Correct ? found.Corrected : found.Labels);
+  results.NearestSource = std::move(found.NearestSource);
+  const PreparedSurface none; // every point is a vertex
+  output.IsReached = FindReached(none, results);
+  WriteDistances(none, results, output.IsReached, request, output);
+  return Status::Success();
 }
 }

@@ -13,21 +13,25 @@ namespace dgg
 {
 class PieceLinks;
 class PieceSearch;
+class ProcessGroup;
 struct DistanceOutput;
 struct DistanceRequest;
-struct ProcessGroup;
 struct SourceCollection;
 
+struct PieceDistanceOptions
+{
+  double Tolerance = 0.0; ///< see SourceCollection::Locate()
+  double Accuracy = 0.0;  ///< of links
+  bool Correct = true;    ///< false: lengths of paths in the graph
+};
+
 /// Computes distances together with the other processes, and adds them as arrays of the points of
-/// the piece. All distances are corrected if requested; arrays of the request receive the lengths
-/// of paths, which are upper bounds. `links` finds the positions of the collection, and may be null
-/// if there are none; `tolerance` and `accuracy` are those of PieceLinks::Find(). Collection,
-/// request and other options must be the same on all processes. Virtual sources and sources of
-/// points are not available.
-DGG_CORE_EXPORT Status FindPieceDistances(const ProcessGroup& group, PieceSearch& search,
-  PieceLinks* links, const SourceCollection& sources, double tolerance, bool correct,
-  double accuracy, const DistanceRequest& request, const ProgressCallback& progress,
-  DistanceOutput& output);
+/// the piece. Arrays of the request receive the lengths of paths, which are upper bounds. `links`
+/// may be null if the collection has no positions. Collection, options and request must be the same
+/// on all processes. Virtual sources and sources of points are not available.
+DGG_CORE_EXPORT Status FindPieceDistances(ProcessGroup& group, PieceSearch& search,
+  PieceLinks* links, const SourceCollection& sources, const PieceDistanceOptions& options,
+  const DistanceRequest& request, const ProgressCallback& progress, DistanceOutput& output);
 }
 
 #endif

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
+#include <memory>
 #include <numeric>
 #include <utility>
 
@@ -27,6 +28,9 @@ namespace
 constexpr int FirstLayers = 8;
 /// Progress weight of finding edges.
 constexpr double FindingShare = 0.9;
+
+/// Bytes of a vertex of a region: its order, rank and id, and the flag of the rim.
+constexpr std::size_t BytesOfVertex = 2 * sizeof(Id) + sizeof(Offset) + 1;
 
 /// An edge between points of a region, found from its source.
 struct RegionEdge
@@ -52,9 +56,8 @@ struct SentEdge
 class EdgeFinder
 {
 public:
-  EdgeFinder(const TaskContext& context, const ProcessGroup& group, const GraphOptions& options)
-    : Context(context)
-    , Group(group)
+  EdgeFinder(const TaskContext& context, ProcessGroup& group, const GraphOptions& options)
+    : Group(group)
     , Options(options)
   {
     UseThreads(context, this->Options);
@@ -75,29 +78,43 @@ public:
         this->Unfinished.push_back(point);
       }
     }
+    GraphRegion region;
     for (int layers = FirstLayers, present = 0;; layers *= 2)
     {
+      const bool isFirst = present == 0;
+      const bool isNeeded = !this->Unfinished.empty();
       DGG_RETURN_IF_ERROR(
-        this->Region.Grow(this->Group, layers - present, !this->Unfinished.empty()));
+        this->Region.Grow(this->Group, layers - present, isNeeded, this->GetMemorySize()));
       present = layers;
       RegionMesh mesh;
-      GraphRegion region;
       SurfaceFacts facts;
-      DGG_RETURN_IF_ERROR(this->Region.MakeMesh(this->Group, mesh, facts));
+      if (isFirst || isNeeded)
+      {
+        facts = this->Region.MakeMesh(mesh);
+        region.IsRim.swap(mesh.IsRim);
+      }
+      if (isFirst)
+      {
+        DGG_RETURN_IF_ERROR(facts.Share(this->Group));
+        region.NumberOfFaces = facts.NumberOfFaces;
+        region.HasBranches = facts.HasBranches;
+      }
       isUsable = facts.IsRegular;
+      DGG_RETURN_IF_ERROR(this->Group.Require(isUsable));
       if (!isUsable)
       {
         return Status::Success();
       }
-      region.IsRim.swap(mesh.IsRim);
-      region.NumberOfFaces = facts.NumberOfFaces;
-      region.HasBranches = facts.HasBranches;
-      DGG_RETURN_IF_ERROR(this->Group.Run(
-        [&] { return this->FindEdges(mesh.Mesh, region, layers == FirstLayers, estimate); }));
+      if (isNeeded)
+      {
+        DGG_RETURN_IF_ERROR(this->FindEdges(mesh.Mesh, region, estimate));
+      }
+      std::vector<std::array<std::size_t, 2>> parts;
+      DGG_RETURN_IF_ERROR(this->Group.Share(
+        std::array<std::size_t, 2>{ this->Unfinished.size(), this->Statistics.Work }, parts));
       std::size_t unfinished = 0;
       std::size_t work = 0;
-      for (const auto& part : this->Group.Share(
-             std::array<std::size_t, 2>{ this->Unfinished.size(), this->Statistics.Work }))
+      for (const auto& part : parts)
       {
         unfinished += part[0];
         work += part[1];
@@ -113,37 +130,38 @@ public:
   Status ExchangeEdges()
   {
     std::vector<Message> messages(static_cast<std::size_t>(this->Group.Count));
-    DGG_RETURN_IF_ERROR(this->Group.Run([&] {
-      std::vector<std::vector<SentEdge>> sent(messages.size());
-      for (const RegionEdge& edge : this->Edges)
+    std::vector<std::vector<SentEdge>> sent(messages.size());
+    for (const RegionEdge& edge : this->Edges)
+    {
+      const int owner = this->Region.GetOwner(edge.Target);
+      if (owner != this->Group.Here)
       {
-        const int owner = this->Region.GetOwner(edge.Target);
-        if (owner != this->Group.Here)
-        {
-          sent[owner].push_back({ this->Region.GetPointId(edge.Source),
-            this->Region.GetPointId(edge.Target), edge.Length, edge.Departure, edge.Arrival });
-        }
+        sent[owner].push_back({ this->Region.GetPointId(edge.Source),
+          this->Region.GetPointId(edge.Target), edge.Length, edge.Departure, edge.Arrival });
       }
-      for (std::size_t process = 0; process < sent.size(); ++process)
+    }
+    for (std::size_t process = 0; process < sent.size(); ++process)
+    {
+      Append(messages[process], sent[process]);
+      std::vector<SentEdge>().swap(sent[process]);
+    }
+    DGG_RETURN_IF_ERROR(this->Group.Exchange(messages, this->GetMemorySize()));
+    for (int process = 0; process < this->Group.Count; ++process)
+    {
+      for (const SentEdge& edge : MessageReader(messages[process]).Take<SentEdge>())
       {
-        Append(messages[process], sent[process]);
-        std::vector<SentEdge>().swap(sent[process]);
+        const Id source = this->Region.AddVertex(edge.Source, process);
+        const Id target = this->Region.AddVertex(edge.Target, this->Group.Here);
+        this->Edges.push_back({ source, target, edge.Length, edge.Departure, edge.Arrival });
       }
-      return Status::Success();
-    }));
-    this->Group.Exchange(messages);
-    return this->Group.Run([&] {
-      for (int process = 0; process < this->Group.Count; ++process)
-      {
-        for (const SentEdge& edge : MessageReader(messages[process]).Take<SentEdge>())
-        {
-          const Id source = this->Region.AddVertex(edge.Source, process);
-          const Id target = this->Region.AddVertex(edge.Target, this->Group.Here);
-          this->Edges.push_back({ source, target, edge.Length, edge.Departure, edge.Arrival });
-        }
-      }
-      return Status::Success();
-    });
+    }
+    return Status::Success();
+  }
+
+  /// Returns the size in bytes of the edges found.
+  double GetMemorySize() const
+  {
+    return static_cast<double>(this->Edges.capacity() * sizeof(RegionEdge));
   }
 
   std::vector<RegionEdge> Edges;
@@ -151,25 +169,30 @@ public:
 
 private:
   /// Finds the edges of points that are not finished.
-  Status FindEdges(
-    const SurfaceMesh& mesh, GraphRegion& region, bool isFirst, GraphEstimate& estimate)
+  Status FindEdges(const SurfaceMesh& mesh, GraphRegion& region, GraphEstimate& estimate)
   {
     const std::vector<Id> order = this->Region.GetOrder();
     std::vector<Id> rank(order.size());
+    region.PointIds.clear();
     for (std::size_t v = 0; v < order.size(); ++v)
     {
       rank[order[v]] = static_cast<Id>(v);
       region.PointIds.push_back(this->Region.GetPointId(order[v]));
     }
-    std::transform(this->Unfinished.begin(), this->Unfinished.end(),
-      std::back_inserter(region.Sources), [&](Id point) { return rank[point]; });
-    const RowFinder finder(mesh, region);
-    if (isFirst)
+    region.Sources.clear();
+    for (const Id point : this->Unfinished)
     {
-      DGG_RETURN_IF_ERROR(finder.Estimate(this->Options, estimate));
-      DGG_RETURN_IF_ERROR(
-        CheckGraphMemory(this->Context.Memory.GetBytes(), this->Options, estimate));
+      region.Sources.push_back(rank[point]);
     }
+    const RowFinder finder(mesh, region);
+    GraphEstimate needed;
+    DGG_RETURN_IF_ERROR(finder.Estimate(this->Options, needed));
+    needed.Peak += this->GetMemorySize() + this->Region.GetMemorySize() +
+      static_cast<double>(mesh.GetMemorySize() + order.size() * BytesOfVertex);
+    estimate.Edges = std::max(estimate.Edges, needed.Edges);
+    estimate.Memory = std::max(estimate.Memory, needed.Memory);
+    estimate.Peak = std::max(estimate.Peak, needed.Peak);
+    DGG_RETURN_IF_ERROR(CheckGraphMemory(this->Group.MemoryLimit, this->Options, estimate));
     this->Unfinished.clear();
     const auto getPoint = [&](Id row) { return order[finder.GetTable().OldVertex(row)]; };
     return finder.Find(
@@ -195,8 +218,7 @@ private:
       });
   }
 
-  const TaskContext& Context;
-  const ProcessGroup& Group;
+  ProcessGroup& Group;
   GraphOptions Options;
   std::vector<Id> Unfinished; // points of the region
   GraphStatistics Statistics;
@@ -340,20 +362,18 @@ Signature SumSignatures(const std::vector<Signature>& pieces)
   return sum;
 }
 
-GraphOptions ShareOptions(const ProcessGroup& group, const GraphOptions& options)
+Status ShareOptions(ProcessGroup& group, GraphOptions& options)
 {
-  GraphOptions shared = options;
-  shared.Construction = group.Share(options.Construction).front();
-  shared.Accuracy = group.Share(options.Accuracy).front();
-  shared.NumberOfNeighbors = group.Share(options.NumberOfNeighbors).front();
-  return shared;
+  DGG_RETURN_IF_ERROR(group.TakeFromFirst(options.Construction));
+  DGG_RETURN_IF_ERROR(group.TakeFromFirst(options.Accuracy));
+  return group.TakeFromFirst(options.NumberOfNeighbors);
 }
 
-Status BuildPieceGraph(const TaskContext& context, const ProcessGroup& group,
-  const SurfacePiece& piece, GraphOptions options, PieceGraph& graph, GraphEstimate& estimate,
-  bool& isUsable)
+Status BuildPieceGraph(const TaskContext& context, ProcessGroup& group, const SurfacePiece& piece,
+  GraphOptions options, PieceGraph& graph, GraphEstimate& estimate, bool& isUsable)
 {
   graph = PieceGraph();
+  estimate = GraphEstimate();
   EdgeFinder finder(context, group, options);
   DGG_RETURN_IF_ERROR(finder.Run(piece, estimate, isUsable));
   if (!isUsable)
@@ -366,17 +386,17 @@ Status BuildPieceGraph(const TaskContext& context, const ProcessGroup& group,
   info.Construction = options.Construction;
   info.Accuracy = isByNumber ? 0.0 : options.Accuracy;
   info.NumberOfNeighbors = isByNumber ? options.NumberOfNeighbors : 0;
-  info.Surface = SumSignatures(group.Share(ComputeSignature(piece)));
-  return group.Run([&] {
-    const std::vector<Id> order = finder.Region.GetOrder();
-    GeodesicGraph united;
-    DGG_RETURN_IF_ERROR(Assemble(
-      context, finder.Edges, order, !isByNumber && NeedsWideLengths(options.Accuracy), united));
-    MakePiece(finder.Region, order, static_cast<std::size_t>(piece.NumberOfPoints), group.Here,
-      united, graph);
-    graph.Rows.Info = info;
-    return Status::Success();
-  });
+  std::vector<Signature> signatures;
+  DGG_RETURN_IF_ERROR(group.Share(ComputeSignature(piece), signatures));
+  info.Surface = SumSignatures(signatures);
+  const std::vector<Id> order = finder.Region.GetOrder();
+  GeodesicGraph united;
+  DGG_RETURN_IF_ERROR(Assemble(
+    context, finder.Edges, order, !isByNumber && NeedsWideLengths(options.Accuracy), united));
+  MakePiece(finder.Region, order, static_cast<std::size_t>(piece.NumberOfPoints), group.Here,
+    united, graph);
+  graph.Rows.Info = info;
+  return Status::Success();
 }
 
 Status JoinPieceGraphs(const std::vector<StoredPiece>& pieces, const Offset* globalIds,

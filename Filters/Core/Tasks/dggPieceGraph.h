@@ -35,16 +35,17 @@ DGG_CORE_EXPORT Signature ComputeSignature(const SurfacePiece& piece);
 /// Returns the signature of all pieces, which does not depend on their order.
 DGG_CORE_EXPORT Signature SumSignatures(const std::vector<Signature>& pieces);
 
-/// Returns the options of the first process, except for callbacks.
-DGG_CORE_EXPORT GraphOptions ShareOptions(const ProcessGroup& group, const GraphOptions& options);
+/// Replaces options by those of the first process, except for callbacks and threads.
+DGG_CORE_EXPORT Status ShareOptions(ProcessGroup& group, GraphOptions& options);
 
 /// Builds the graph of a surface together with the other processes; each one builds the rows of its
 /// piece, which has no ghosts. All pieces together are the graph that one process would build of
 /// the surface that JoinSurfacePieces() makes, bit by bit. `isUsable` becomes false on all
 /// processes if the pieces must be gathered instead: for the reasons of SurfaceRegion::Start(), and
 /// for faces that are degenerate or not oriented consistently. The options must be the same on all
-/// processes, and not ask for the indirect construction. The surface of the context is not used.
-DGG_CORE_EXPORT Status BuildPieceGraph(const TaskContext& context, const ProcessGroup& group,
+/// processes, and not ask for the indirect construction. The surface of the context is not used. If
+/// this process fails or throws alone, ProcessGroup::Agree() ends the others.
+DGG_CORE_EXPORT Status BuildPieceGraph(const TaskContext& context, ProcessGroup& group,
   const SurfacePiece& piece, GraphOptions options, PieceGraph& graph, GraphEstimate& estimate,
   bool& isUsable);
 

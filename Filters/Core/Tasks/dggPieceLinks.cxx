@@ -41,7 +41,7 @@ Id GetFirstFace(const SurfaceMesh& mesh, const SurfacePoint& point)
 }
 }
 
-Status PieceLinks::Prepare(const ProcessGroup& group, const SurfacePiece& piece, bool& isUsable)
+Status PieceLinks::Prepare(ProcessGroup& group, const SurfacePiece& piece, bool& isUsable)
 {
   DGG_RETURN_IF_ERROR(this->Region.Start(group, piece, isUsable));
   if (!isUsable)
@@ -49,63 +49,69 @@ Status PieceLinks::Prepare(const ProcessGroup& group, const SurfacePiece& piece,
     return Status::Success();
   }
   this->Layers = FirstLayers;
-  DGG_RETURN_IF_ERROR(this->Region.Grow(group, this->Layers, true));
+  DGG_RETURN_IF_ERROR(this->Region.Grow(group, this->Layers, true, 0.0));
   return this->MakeMesh(group);
 }
 
-Status PieceLinks::MakeMesh(const ProcessGroup& group)
+Status PieceLinks::MakeMesh(ProcessGroup& group)
 {
   this->ClosestPoints.reset();
   this->Builder.reset();
-  SurfaceFacts facts;
-  DGG_RETURN_IF_ERROR(this->Region.MakeMesh(group, this->Mesh, facts));
+  SurfaceFacts facts = this->Region.MakeMesh(this->Mesh);
+  DGG_RETURN_IF_ERROR(facts.Share(group));
+  const SurfaceMesh& mesh = this->Mesh.Mesh;
+  const double* const positions = this->Mesh.Positions.data();
+  std::vector<Box> boxes;
+  DGG_RETURN_IF_ERROR(group.Share(SurfaceLocator::MeasureBox(mesh, positions), boxes));
   this->Whole = Box();
-  for (const Box& box :
-    group.Share(SurfaceLocator::MeasureBox(this->Mesh.Mesh, this->Mesh.Positions.data())))
+  for (const Box& box : boxes)
   {
     this->Whole.Add(box);
   }
-  return group.Run([&] {
-    const std::vector<Id> order = this->Region.GetOrder();
-    this->PointIds.resize(order.size());
-    std::transform(order.begin(), order.end(), this->PointIds.begin(),
-      [&](Id point) { return this->Region.GetPointId(point); });
-    if (this->Mesh.Mesh.GetNumberOfFaces() > 0)
-    {
-      this->ClosestPoints = std::make_unique<const SurfaceLocator>(
-        this->Mesh.Mesh, this->Mesh.Positions.data(), this->Whole);
-      GraphRegion region;
-      region.IsRim = this->Mesh.IsRim;
-      region.PointIds = this->PointIds;
-      region.NumberOfFaces = facts.NumberOfFaces;
-      region.HasBranches = facts.HasBranches;
-      this->Builder = std::make_unique<const GraphBuilder>(this->Mesh.Mesh, region);
-    }
-    return Status::Success();
-  });
+  this->PointIds.clear();
+  for (const Id point : this->Region.GetOrder())
+  {
+    this->PointIds.push_back(this->Region.GetPointId(point));
+  }
+  if (mesh.GetNumberOfFaces() > 0)
+  {
+    this->ClosestPoints = std::make_unique<const SurfaceLocator>(mesh, positions, this->Whole);
+    GraphRegion region;
+    region.IsRim = this->Mesh.IsRim;
+    region.PointIds = this->PointIds;
+    region.NumberOfFaces = facts.NumberOfFaces;
+    region.HasBranches = facts.HasBranches;
+    this->Builder = std::make_unique<const GraphBuilder>(mesh, region);
+  }
+  return Status::Success();
 }
 
-Status PieceLinks::Find(const ProcessGroup& group, const SourceCollection& sources,
-  double tolerance, double accuracy, std::vector<PieceSeed>& seeds)
+Status PieceLinks::Find(ProcessGroup& group, const SourceCollection& sources, double tolerance,
+  double accuracy, std::vector<PieceSeed>& seeds)
 {
-  std::vector<std::size_t> here; // positions whose closest points are in this region
+  std::vector<std::size_t> here; // positions that are linked by this process
   DGG_RETURN_IF_ERROR(this->ChooseHere(group, sources, tolerance, here));
   std::vector<PositionLink> links;
   for (;;)
   {
-    DGG_RETURN_IF_ERROR(group.Run([&] { return this->LinkHere(sources, accuracy, here, links); }));
-    if (group.Holds(here.empty()))
+    DGG_RETURN_IF_ERROR(this->LinkHere(sources, accuracy, here, links));
+    const bool isNeeded = !here.empty();
+    bool isDone = !isNeeded;
+    DGG_RETURN_IF_ERROR(group.Require(isDone));
+    if (isDone)
     {
       break;
     }
-    DGG_RETURN_IF_ERROR(this->Region.Grow(group, this->Layers, !here.empty()));
+    DGG_RETURN_IF_ERROR(this->Region.Grow(group, this->Layers, isNeeded, 0.0));
     this->Layers *= 2;
     DGG_RETURN_IF_ERROR(this->MakeMesh(group));
   }
+  std::vector<std::vector<PositionLink>> lists;
+  DGG_RETURN_IF_ERROR(group.ShareList(links, lists));
   std::vector<PositionLink> all;
-  for (const std::vector<PositionLink>& part : group.ShareList(links))
+  for (const std::vector<PositionLink>& list : lists)
   {
-    all.insert(all.end(), part.begin(), part.end());
+    all.insert(all.end(), list.begin(), list.end());
   }
   std::stable_sort(all.begin(), all.end(),
     [](const PositionLink& a, const PositionLink& b) { return a.Position < b.Position; });
@@ -122,7 +128,7 @@ Status PieceLinks::Find(const ProcessGroup& group, const SourceCollection& sourc
 /// Finds the positions whose closest points are in cells of this process. Of several closest cells,
 /// the one with the smallest id counts. The cells around those of the piece are in the region, so
 /// that each process finds the same point as a single one.
-Status PieceLinks::ChooseHere(const ProcessGroup& group, const SourceCollection& sources,
+Status PieceLinks::ChooseHere(ProcessGroup& group, const SourceCollection& sources,
   double tolerance, std::vector<std::size_t>& here) const
 {
   const std::size_t count = sources.GetNumberOfPositions();
@@ -138,9 +144,9 @@ Status PieceLinks::ChooseHere(const ProcessGroup& group, const SourceCollection&
       candidates[i] = { distance, cell };
     }
   }
-  const std::vector<std::vector<Candidate>> all = group.ShareList(candidates);
-  Status status;
-  for (std::size_t i = 0; i < count && status.IsOk(); ++i)
+  std::vector<std::vector<Candidate>> all;
+  DGG_RETURN_IF_ERROR(group.ShareList(candidates, all));
+  for (std::size_t i = 0; i < count; ++i)
   {
     const auto best = std::min_element(
       all.begin(), all.end(), [&](const auto& a, const auto& b) { return a[i] < b[i]; });
@@ -153,10 +159,10 @@ Status PieceLinks::ChooseHere(const ProcessGroup& group, const SourceCollection&
     here.push_back(i);
     if (!this->ClosestPoints || !this->ClosestPoints->IsClose({}, distance, tolerance * diagonal))
     {
-      status = sources.RefuseDistant(i, distance, tolerance, diagonal);
+      return sources.RefuseDistant(i, distance, tolerance, diagonal);
     }
   }
-  return group.Agree(status);
+  return Status::Success();
 }
 
 /// Links positions, and removes those whose links are complete.

@@ -27,11 +27,11 @@ class DGG_CORE_EXPORT PieceLinks
 public:
   /// Prepares searches. `isUsable` becomes false on all processes for the reasons of
   /// SurfaceRegion::Start().
-  Status Prepare(const ProcessGroup& group, const SurfacePiece& piece, bool& isUsable);
+  Status Prepare(ProcessGroup& group, const SurfacePiece& piece, bool& isUsable);
 
   /// Appends the seeds of the positions of a collection, which is the same on all processes and has
   /// no arrays that identify points. Fails as SourceCollection::Locate().
-  Status Find(const ProcessGroup& group, const SourceCollection& sources, double tolerance,
+  Status Find(ProcessGroup& group, const SourceCollection& sources, double tolerance,
     double accuracy, std::vector<PieceSeed>& seeds);
 
 private:
@@ -44,8 +44,8 @@ private:
     double ArrivalAngle;
   };
 
-  Status MakeMesh(const ProcessGroup& group);
-  Status ChooseHere(const ProcessGroup& group, const SourceCollection& sources, double tolerance,
+  Status MakeMesh(ProcessGroup& group);
+  Status ChooseHere(ProcessGroup& group, const SourceCollection& sources, double tolerance,
     std::vector<std::size_t>& here) const;
   Status LinkHere(const SourceCollection& sources, double accuracy, std::vector<std::size_t>& here,
     std::vector<PositionLink>& links) const;

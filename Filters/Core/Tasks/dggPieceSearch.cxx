@@ -56,29 +56,24 @@ auto ListValues(const std::vector<std::vector<Id>>& vertices, const ValueOf& val
 
 /// Sends one list to each process, and returns the lists from them.
 template <typename Value>
-Status ExchangeLists(const ProcessGroup& group, std::vector<std::vector<Value>>& lists)
+Status ExchangeLists(ProcessGroup& group, std::vector<std::vector<Value>>& lists)
 {
   std::vector<Message> messages(lists.size());
-  DGG_RETURN_IF_ERROR(group.Run([&] {
-    for (std::size_t process = 0; process < lists.size(); ++process)
-    {
-      Append(messages[process], lists[process]);
-    }
-    return Status::Success();
-  }));
-  group.Exchange(messages);
-  return group.Run([&] {
-    for (std::size_t process = 0; process < lists.size(); ++process)
-    {
-      lists[process] = MessageReader(messages[process]).Take<Value>();
-    }
-    return Status::Success();
-  });
+  for (std::size_t process = 0; process < lists.size(); ++process)
+  {
+    Append(messages[process], lists[process]);
+  }
+  DGG_RETURN_IF_ERROR(group.Exchange(messages, 0.0));
+  for (std::size_t process = 0; process < lists.size(); ++process)
+  {
+    lists[process] = MessageReader(messages[process]).Take<Value>();
+  }
+  return Status::Success();
 }
 }
 
-Status PieceSearch::Prepare(const ProcessGroup& group, const SurfacePiece& piece,
-  const GraphView& graph, const GhostVertices& ghosts, bool& isUsable)
+Status PieceSearch::Prepare(ProcessGroup& group, const SurfacePiece& piece, const GraphView& graph,
+  const GhostVertices& ghosts, bool& isUsable)
 {
   *this = PieceSearch();
   this->Graph = graph;
@@ -91,54 +86,45 @@ Status PieceSearch::Prepare(const ProcessGroup& group, const SurfacePiece& piece
 }
 
 /// Finds the processes that have vertices of this process as well.
-Status PieceSearch::FindReaders(
-  const ProcessGroup& group, const SurfacePiece& piece, bool& isUsable)
+Status PieceSearch::FindReaders(ProcessGroup& group, const SurfacePiece& piece, bool& isUsable)
 {
-  bool isComplete = true;
-  std::vector<std::vector<Offset>> requested;
+  this->Ids.assign(piece.PointIds, piece.PointIds + piece.NumberOfPoints);
+  this->Ids.insert(this->Ids.end(), this->Ghosts.Ids, this->Ghosts.Ids + this->Ghosts.Count);
   std::unordered_map<Offset, Id> vertices; // of this process, by global id
-  DGG_RETURN_IF_ERROR(group.Run([&] {
-    this->Ids.assign(piece.PointIds, piece.PointIds + piece.NumberOfPoints);
-    this->Ids.insert(this->Ids.end(), this->Ghosts.Ids, this->Ghosts.Ids + this->Ghosts.Count);
-    for (Id v = 0; v < this->Graph.NumberOfVertices; ++v)
+  isUsable = true;
+  for (Id v = 0; v < this->Graph.NumberOfVertices; ++v)
+  {
+    const Id owner = this->Ghosts.Owners[v];
+    if (this->IsHere(v))
     {
-      if (this->IsHere(v))
-      {
-        vertices.emplace(this->Ids[v], v);
-      }
-      else if (this->Ghosts.Owners[v] >= 0 && this->Ghosts.Owners[v] < group.Count)
-      {
-        this->Received[this->Ghosts.Owners[v]].push_back(v);
-      }
-      else
-      {
-        isComplete = false;
-      }
+      vertices.emplace(this->Ids[v], v);
     }
-    requested = ListValues(this->Received, [this](Id v) { return this->Ids[v]; });
-    return Status::Success();
-  }));
+    else if (owner >= 0 && owner < group.Count)
+    {
+      this->Received[owner].push_back(v);
+    }
+    else
+    {
+      isUsable = false;
+    }
+  }
+  auto requested = ListValues(this->Received, [this](Id v) { return this->Ids[v]; });
   DGG_RETURN_IF_ERROR(ExchangeLists(group, requested));
-  DGG_RETURN_IF_ERROR(group.Run([&] {
-    for (std::size_t process = 0; process < requested.size(); ++process)
+  for (std::size_t process = 0; process < requested.size(); ++process)
+  {
+    for (const Offset id : requested[process])
     {
-      for (const Offset id : requested[process])
-      {
-        const auto found = vertices.find(id);
-        isComplete = isComplete && found != vertices.end();
-        this->Sent[process].push_back(found != vertices.end() ? found->second : 0);
-      }
-      this->LastSent.emplace_back(requested[process].size(), Infinity);
+      const auto found = vertices.find(id);
+      isUsable = isUsable && found != vertices.end();
+      this->Sent[process].push_back(found != vertices.end() ? found->second : 0);
     }
-    return Status::Success();
-  }));
-  isUsable = group.Holds(isComplete);
-  return Status::Success();
+    this->LastSent.emplace_back(requested[process].size(), Infinity);
+  }
+  return group.Require(isUsable);
 }
 
 /// Measures the angles around all vertices, and prepares what depends on them.
-Status PieceSearch::MeasureAngles(
-  const ProcessGroup& group, const SurfacePiece& piece, bool& isUsable)
+Status PieceSearch::MeasureAngles(ProcessGroup& group, const SurfacePiece& piece, bool& isUsable)
 {
   SurfaceRegion region;
   DGG_RETURN_IF_ERROR(region.Start(group, piece, isUsable));
@@ -146,26 +132,45 @@ Status PieceSearch::MeasureAngles(
   {
     return Status::Success();
   }
-  DGG_RETURN_IF_ERROR(region.Grow(group, 1, true)); // all cells at the points of the piece
+  DGG_RETURN_IF_ERROR(region.Grow(group, 1, true, 0.0)); // all cells at the points of the piece
   RegionMesh mesh;
-  SurfaceFacts facts;
-  DGG_RETURN_IF_ERROR(region.MakeMesh(group, mesh, facts));
+  region.MakeMesh(mesh);
+  const std::vector<VertexAngle> ofMesh = MeasureVertexAngles(mesh.Mesh);
   std::vector<VertexAngle> angles(static_cast<std::size_t>(this->Graph.NumberOfVertices));
-  std::vector<std::vector<VertexAngle>> sent;
-  DGG_RETURN_IF_ERROR(group.Run([&] {
-    const std::vector<VertexAngle> ofMesh = MeasureVertexAngles(mesh.Mesh);
-    const std::vector<Id> order = region.GetOrder();
-    for (std::size_t i = 0; i < order.size(); ++i)
+  const std::vector<Id> order = region.GetOrder();
+  for (std::size_t i = 0; i < order.size(); ++i)
+  {
+    if (order[i] < this->PointsHere)
     {
-      if (order[i] < this->PointsHere)
-      {
-        angles[order[i]] = ofMesh[i];
-      }
+      angles[order[i]] = ofMesh[i];
     }
-    sent = ListValues(this->Sent, [&](Id v) { return angles[v]; });
-    return Status::Success();
-  }));
+  }
+  auto sent = ListValues(this->Sent, [&](Id v) { return angles[v]; });
   DGG_RETURN_IF_ERROR(ExchangeLists(group, sent));
+  for (std::size_t process = 0; process < sent.size(); ++process)
+  {
+    for (std::size_t k = 0; k < sent[process].size(); ++k)
+    {
+      angles[this->Received[process][k]] = sent[process][k];
+    }
+  }
+  Offset edges = 0;
+  DGG_RETURN_IF_ERROR(this->CountPoints(group, edges));
+  const double deviation = LargestDeviation(this->Graph.Info,
+    static_cast<double>(edges) / std::max(1.0, static_cast<double>(this->NumberOfPoints)));
+  this->BucketWidth = ChooseBucketWidth(this->Graph);
+  if (GraphFans::AreWorthwhile(this->Graph))
+  {
+    this->Fans = std::make_unique<const GraphFans>(this->Graph, angles, deviation);
+  }
+  this->Correction = std::make_unique<const LabelCorrection>(
+    this->Graph, std::move(angles), deviation, mesh.Mesh.GetMeanEdgeLength());
+  return Status::Success();
+}
+
+/// Counts the points and edges of the whole graph.
+Status PieceSearch::CountPoints(ProcessGroup& group, Offset& edges)
+{
   PartNumbers here;
   for (Id v = 0; v < this->Graph.NumberOfVertices; ++v)
   {
@@ -176,98 +181,83 @@ Status PieceSearch::MeasureAngles(
       here.LargestId = std::max(here.LargestId, this->Ids[v]);
     }
   }
-  PartNumbers all;
-  for (const PartNumbers& part : group.Share(here))
+  std::vector<PartNumbers> parts;
+  DGG_RETURN_IF_ERROR(group.Share(here, parts));
+  for (const PartNumbers& part : parts)
   {
-    all.Points += part.Points;
-    all.Edges += part.Edges;
-    all.LargestId = std::max(all.LargestId, part.LargestId);
+    this->NumberOfPoints += part.Points;
+    this->LargestId = std::max(this->LargestId, part.LargestId);
+    edges += part.Edges;
   }
-  this->NumberOfPoints = all.Points;
-  this->LargestId = all.LargestId;
-  return group.Run([&] {
-    for (std::size_t process = 0; process < sent.size(); ++process)
-    {
-      for (std::size_t k = 0; k < sent[process].size(); ++k)
-      {
-        angles[this->Received[process][k]] = sent[process][k];
-      }
-    }
-    const double deviation = LargestDeviation(this->Graph.Info,
-      static_cast<double>(all.Edges) / std::max<double>(1.0, static_cast<double>(all.Points)));
-    this->BucketWidth = ChooseBucketWidth(this->Graph);
-    if (GraphFans::AreWorthwhile(this->Graph))
-    {
-      this->Fans = std::make_unique<const GraphFans>(this->Graph, angles, deviation);
-    }
-    this->Correction = std::make_unique<const LabelCorrection>(
-      this->Graph, std::move(angles), deviation, mesh.Mesh.GetMeanEdgeLength());
-    return Status::Success();
-  });
+  return Status::Success();
 }
 
-Status PieceSearch::Run(const ProcessGroup& group, const std::vector<PieceSeed>& seeds,
+Status PieceSearch::Run(ProcessGroup& group, const std::vector<PieceSeed>& seeds,
   const PieceSearchOptions& options, PieceDistances& result)
 {
   result = PieceDistances();
-  std::vector<GraphSeed> here;
-  double smallestOffset = Infinity;
-  DGG_RETURN_IF_ERROR(group.Run([&] {
-    std::unordered_map<Offset, Id> vertices;
-    for (const PieceSeed& seed : seeds)
-    {
-      smallestOffset = std::min(smallestOffset, LabelCorrection::OffsetOf(seed.Seed));
-      vertices.emplace(seed.PointId, NoId);
-    }
-    for (Id v = 0; v < this->Graph.NumberOfVertices; ++v)
-    {
-      const auto found = vertices.find(this->Ids[v]);
-      if (found != vertices.end())
-      {
-        found->second = v;
-      }
-    }
-    for (const PieceSeed& seed : seeds)
-    {
-      const Id v = vertices[seed.PointId];
-      if (v != NoId)
-      {
-        here.push_back(seed.Seed);
-        here.back().Vertex = v;
-      }
-    }
-    return Status::Success();
-  }));
+  const std::vector<GraphSeed> here = this->FindSeeds(seeds);
   DGG_RETURN_IF_ERROR(this->FindLabels(group, here, options));
-  std::vector<Arrival> arrivals;
-  if (options.Correct || options.FindSources)
+  result.Labels.assign(this->Distances.begin(), this->Distances.begin() + this->PointsHere);
+  if (!options.Correct && !options.FindSources)
   {
-    DGG_RETURN_IF_ERROR(this->FollowTree(
-      group, here, smallestOffset, ProgressPart(options.Progress, LabelShare, 1.0), arrivals));
+    return Status::Success();
   }
-  return group.Run([&] {
-    const auto points = static_cast<std::size_t>(this->PointsHere);
-    result.Labels.assign(this->Distances.begin(), this->Distances.begin() + this->PointsHere);
-    result.Corrected.assign(options.Correct ? points : 0, Infinity);
-    result.NearestSource.assign(options.FindSources ? points : 0, NoId);
-    for (std::size_t i = 0; i < points && !arrivals.empty(); ++i)
+  double smallestOffset = Infinity;
+  for (const PieceSeed& seed : seeds)
+  {
+    smallestOffset = std::min(smallestOffset, LabelCorrection::OffsetOf(seed.Seed));
+  }
+  std::vector<Arrival> arrivals;
+  DGG_RETURN_IF_ERROR(this->FollowTree(
+    group, here, smallestOffset, ProgressPart(options.Progress, LabelShare, 1.0), arrivals));
+  for (Id i = 0; i < this->PointsHere; ++i)
+  {
+    const Arrival& arrival = arrivals[i];
+    if (options.Correct)
     {
-      if (options.Correct && arrivals[i].Source != NoId)
-      {
-        result.Corrected[i] = arrivals[i].Estimate.Distance;
-      }
-      if (options.FindSources)
-      {
-        result.NearestSource[i] = arrivals[i].Source;
-      }
+      result.Corrected.push_back(arrival.Source == NoId ? Infinity : arrival.Estimate.Distance);
     }
-    return ReportTo(options.Progress, 1.0);
-  });
+    if (options.FindSources)
+    {
+      result.NearestSource.push_back(arrival.Source);
+    }
+  }
+  return Status::Success();
+}
+
+/// Returns the seeds at vertices that are known here.
+std::vector<GraphSeed> PieceSearch::FindSeeds(const std::vector<PieceSeed>& seeds) const
+{
+  std::unordered_map<Offset, Id> vertices;
+  for (const PieceSeed& seed : seeds)
+  {
+    vertices.emplace(seed.PointId, NoId);
+  }
+  for (Id v = 0; v < this->Graph.NumberOfVertices; ++v)
+  {
+    const auto found = vertices.find(this->Ids[v]);
+    if (found != vertices.end())
+    {
+      found->second = v;
+    }
+  }
+  std::vector<GraphSeed> here;
+  for (const PieceSeed& seed : seeds)
+  {
+    const Id v = vertices[seed.PointId];
+    if (v != NoId)
+    {
+      here.push_back(seed.Seed);
+      here.back().Vertex = v;
+    }
+  }
+  return here;
 }
 
 /// Finds the labels of all vertices, and the tree of the vertices of this process.
 Status PieceSearch::FindLabels(
-  const ProcessGroup& group, const std::vector<GraphSeed>& seeds, const PieceSearchOptions& options)
+  ProcessGroup& group, const std::vector<GraphSeed>& seeds, const PieceSearchOptions& options)
 {
   SearchLabels labels(this->Distances, this->Origins, this->Touched, options.MaximumDistance);
   labels.Ids = this->Ids.data();
@@ -285,16 +275,14 @@ Status PieceSearch::FindLabels(
   std::vector<Message> messages;
   for (bool isFirst = true, isOver = false; !isOver; isFirst = false)
   {
-    DGG_RETURN_IF_ERROR(group.Run([&] {
-      if (!this->LowerLabels(
-            isFirst ? seeds : this->ReadLowered(messages), isFirst, labels, progress))
-      {
-        return Status::Abort();
-      }
-      this->CollectLowered(messages);
-      return ReportTo(progress, 0.0);
-    }));
-    group.Exchange(messages);
+    if (!this->LowerLabels(
+          isFirst ? seeds : this->ReadLowered(messages), isFirst, labels, progress))
+    {
+      return Status::Abort();
+    }
+    DGG_RETURN_IF_ERROR(ReportTo(progress, 0.0));
+    this->CollectLowered(messages);
+    DGG_RETURN_IF_ERROR(group.Exchange(messages, 0.0));
     isOver = std::all_of(messages.begin(), messages.end(),
       [](const Message& message) { return MessageReader(message).Take<char>().front() == 0; });
   }
@@ -383,53 +371,47 @@ struct PieceSearch::Tree
 
 /// Computes the arrivals at the vertices of this process, and at the other points of the piece. The
 /// tree crosses pieces: arrivals are sent to the processes that need them as they become known.
-Status PieceSearch::FollowTree(const ProcessGroup& group, const std::vector<GraphSeed>& seeds,
+Status PieceSearch::FollowTree(ProcessGroup& group, const std::vector<GraphSeed>& seeds,
   double smallestOffset, const ProgressCallback& progress, std::vector<Arrival>& arrivals)
 {
   Tree tree;
   std::vector<std::vector<Id>> needed(this->Received.size()); // indices into Received
-  DGG_RETURN_IF_ERROR(group.Run([&] {
-    const Id n = this->Graph.NumberOfVertices;
-    arrivals.assign(static_cast<std::size_t>(n), Arrival());
-    const auto isReachedHere = [&](
-                                 Id v) { return this->IsHere(v) && this->Distances[v] < Infinity; };
-    tree.Children = MakeGroups(n, n, [&](Id v) {
-      return isReachedHere(v) && !this->Origins[v].IsSeed() ? this->Origins[v].Tail : NoId;
-    });
-    for (Id v = 0; v < n; ++v)
+  const Id n = this->Graph.NumberOfVertices;
+  arrivals.assign(static_cast<std::size_t>(n), Arrival());
+  const auto isReachedHere = [&](Id v) { return this->IsHere(v) && this->Distances[v] < Infinity; };
+  tree.Children = MakeGroups(n, n, [&](Id v) {
+    return isReachedHere(v) && !this->Origins[v].IsSeed() ? this->Origins[v].Tail : NoId;
+  });
+  for (Id v = 0; v < n; ++v)
+  {
+    tree.NumberLeft += isReachedHere(v) ? 1 : 0;
+    if (isReachedHere(v) && this->Origins[v].IsSeed())
     {
-      tree.NumberLeft += isReachedHere(v) ? 1 : 0;
-      if (isReachedHere(v) && this->Origins[v].IsSeed())
+      tree.Ready.push_back(v);
+    }
+  }
+  for (std::size_t process = 0; process < needed.size(); ++process)
+  {
+    for (std::size_t k = 0; k < this->Received[process].size(); ++k)
+    {
+      const Id v = this->Received[process][k];
+      const bool isTail = tree.Children.Begins[v] < tree.Children.Begins[v + 1];
+      if (isTail || (v < this->PointsHere && this->Distances[v] < Infinity))
       {
-        tree.Ready.push_back(v);
+        needed[process].push_back(static_cast<Id>(k));
       }
     }
-    for (std::size_t process = 0; process < needed.size(); ++process)
-    {
-      for (std::size_t k = 0; k < this->Received[process].size(); ++k)
-      {
-        const Id v = this->Received[process][k];
-        const bool isTail = tree.Children.Begins[v] < tree.Children.Begins[v + 1];
-        if (isTail || (v < this->PointsHere && this->Distances[v] < Infinity))
-        {
-          needed[process].push_back(static_cast<Id>(k));
-        }
-      }
-    }
-    return Status::Success();
-  }));
+  }
   DGG_RETURN_IF_ERROR(ExchangeLists(group, needed));
   tree.Pending = std::move(needed);
   std::vector<Message> messages;
   for (bool isOver = false; !isOver;)
   {
-    DGG_RETURN_IF_ERROR(group.Run([&] {
-      this->ReadArrivals(messages, tree, arrivals);
-      this->Descend(seeds, smallestOffset, tree, arrivals);
-      this->CollectArrivals(arrivals, tree, messages);
-      return ReportTo(progress, 0.0);
-    }));
-    group.Exchange(messages);
+    this->Descend(seeds, smallestOffset, tree, arrivals);
+    DGG_RETURN_IF_ERROR(ReportTo(progress, 0.0));
+    this->CollectArrivals(arrivals, tree, messages);
+    DGG_RETURN_IF_ERROR(group.Exchange(messages, 0.0));
+    this->ReadArrivals(messages, tree, arrivals);
     isOver = true;
     bool isAnySent = false;
     for (const Message& message : messages)
@@ -443,10 +425,7 @@ Status PieceSearch::FollowTree(const ProcessGroup& group, const std::vector<Grap
       return Status(Status::Code::DamagedGraph, "The pieces of a graph do not belong together");
     }
   }
-  return group.Run([&] {
-    this->ReadArrivals(messages, tree, arrivals);
-    return Status::Success();
-  });
+  return Status::Success();
 }
 
 /// Enters the arrivals in messages.

@@ -57,12 +57,12 @@ class DGG_CORE_EXPORT PieceSearch
 public:
   /// Prepares searches. The arrays must outlive this object. `isUsable` becomes false on all
   /// processes if the parts of the graph do not belong together.
-  Status Prepare(const ProcessGroup& group, const SurfacePiece& piece, const GraphView& graph,
+  Status Prepare(ProcessGroup& group, const SurfacePiece& piece, const GraphView& graph,
     const GhostVertices& ghosts, bool& isUsable);
 
   /// Computes distances from the nearest seed. The seeds must be the same on all processes. Seeds
   /// at points that no process has are ignored.
-  Status Run(const ProcessGroup& group, const std::vector<PieceSeed>& seeds,
+  Status Run(ProcessGroup& group, const std::vector<PieceSeed>& seeds,
     const PieceSearchOptions& options, PieceDistances& result);
 
   /// Returns the number of points of all pieces.
@@ -80,16 +80,18 @@ private:
   struct Tree;
 
   bool IsHere(Id v) const { return this->Ghosts.Owners[v] == GhostVertices::Here; }
-  Status FindReaders(const ProcessGroup& group, const SurfacePiece& piece, bool& isUsable);
-  Status MeasureAngles(const ProcessGroup& group, const SurfacePiece& piece, bool& isUsable);
-  Status FindLabels(const ProcessGroup& group, const std::vector<GraphSeed>& seeds,
-    const PieceSearchOptions& options);
+  Status FindReaders(ProcessGroup& group, const SurfacePiece& piece, bool& isUsable);
+  Status MeasureAngles(ProcessGroup& group, const SurfacePiece& piece, bool& isUsable);
+  Status CountPoints(ProcessGroup& group, Offset& edges);
+  std::vector<GraphSeed> FindSeeds(const std::vector<PieceSeed>& seeds) const;
+  Status FindLabels(
+    ProcessGroup& group, const std::vector<GraphSeed>& seeds, const PieceSearchOptions& options);
   bool LowerLabels(const std::vector<GraphSeed>& seeds, bool areFirst, SearchLabels& labels,
     const ProgressCallback& progress);
   void CollectLowered(std::vector<Message>& messages);
   std::vector<GraphSeed> ReadLowered(const std::vector<Message>& messages) const;
-  Status FollowTree(const ProcessGroup& group, const std::vector<GraphSeed>& seeds,
-    double smallestOffset, const ProgressCallback& progress, std::vector<Arrival>& arrivals);
+  Status FollowTree(ProcessGroup& group, const std::vector<GraphSeed>& seeds, double smallestOffset,
+    const ProgressCallback& progress, std::vector<Arrival>& arrivals);
   void ReadArrivals(
     const std::vector<Message>& messages, Tree& tree, std::vector<Arrival>& arrivals) const;
   void Descend(const std::vector<GraphSeed>& seeds, double smallestOffset, Tree& tree,

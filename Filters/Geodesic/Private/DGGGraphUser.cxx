@@ -4,7 +4,6 @@
 #include "DGGProperties.h"
 
 #include "dggGraphBuildTask.h"
-#include "dggPieceGraph.h"
 #include "dggStatus.h"
 
 #include "vtkObject.h"
@@ -110,14 +109,13 @@ dgg::Status DGGGraphUser::Update(const DGGContext& context, vtkObject* filter)
 }
 
 //------------------------------------------------------------------------------
-dgg::Status DGGGraphUser::UpdatePiece(const DGGContext& context, const dgg::ProcessGroup& group,
+dgg::Status DGGGraphUser::UpdatePiece(const DGGContext& context, dgg::ProcessGroup& group,
   const dgg::SurfacePiece& piece, vtkObject* filter, bool& isDone)
 {
   dgg::GraphOptions options;
   options.Accuracy = this->Accuracy;
   std::string warning;
-  DGG_RETURN_IF_ERROR(this->Piece.Update(
-    context, group, piece, dgg::ShareOptions(group, options), true, isDone, warning));
+  DGG_RETURN_IF_ERROR(this->Piece.Update(context, group, piece, options, true, isDone, warning));
   this->UsesPiece = isDone;
   if (!isDone)
   {

@@ -47,7 +47,7 @@ public:
 
   /// Updates the graph of a piece in the same manner, together with the other processes. `isDone`
   /// becomes false on all processes if the pieces must be gathered.
-  dgg::Status UpdatePiece(const DGGContext& context, const dgg::ProcessGroup& group,
+  dgg::Status UpdatePiece(const DGGContext& context, dgg::ProcessGroup& group,
     const dgg::SurfacePiece& piece, vtkObject* filter, bool& isDone);
   /// Returns the graph of the piece; null if the last update was not by UpdatePiece().
   const DGGGraphArrays* GetPiece() const { return this->UsesPiece ? &this->Piece.Get() : nullptr; }

@@ -11,25 +11,26 @@
 #include "vtkFieldData.h"
 #include "vtkPolyData.h"
 
+#include <vector>
+
 //------------------------------------------------------------------------------
-dgg::Status DGGPieceGraph::Update(const DGGContext& context, const dgg::ProcessGroup& group,
-  const dgg::SurfacePiece& piece, const dgg::GraphOptions& options, bool acceptsAny, bool& isDone,
+dgg::Status DGGPieceGraph::Update(const DGGContext& context, dgg::ProcessGroup& group,
+  const dgg::SurfacePiece& piece, dgg::GraphOptions options, bool acceptsAny, bool& isDone,
   std::string& warning)
 {
   vtkFieldData* data = context.Input->GetFieldData();
-  // The graph of the entire surface is on the first process.
-  isDone = group.Holds(!DGGGraphArrays::AreOfWhole(data));
-  if (!isDone)
-  {
-    return dgg::Status::Success();
-  }
   const dgg::Signature ofPiece = dgg::ComputeSignature(piece);
-  isDone = !group.Holds(this->Refused == ofPiece);
+  std::vector<dgg::Signature> signatures;
+  DGG_RETURN_IF_ERROR(group.Share(ofPiece, signatures));
+  const dgg::Signature signature = dgg::SumSignatures(signatures);
+  // The graph of an entire surface is on the first process.
+  isDone = this->Refused != signature && !DGGGraphArrays::AreOfWhole(data);
+  DGG_RETURN_IF_ERROR(group.Require(isDone));
   if (!isDone)
   {
     return dgg::Status::Success();
   }
-  const dgg::Signature signature = dgg::SumSignatures(group.Share(ofPiece));
+  DGG_RETURN_IF_ERROR(dgg::ShareOptions(group, options));
   std::string complaint;
   bool isFound = this->OnInput.FindPiece(data, piece.NumberOfPoints, context.Parallel, complaint);
   if (isFound && this->OnInput.GetView().Info.Surface != signature)
@@ -39,19 +40,18 @@ dgg::Status DGGPieceGraph::Update(const DGGContext& context, const dgg::ProcessG
                 "built";
   }
   warning = complaint.empty() ? "" : dgg::DescribeReplacement(complaint, options);
-  const auto isUsable = [&](const DGGGraphArrays& graph, const dgg::GraphOptions& wanted) {
-    return dgg::IsBuiltWith(graph.GetView().Info, wanted);
-  };
-  this->IsFound = group.Holds(isFound);
-  if (this->IsFound)
+  dgg::GraphOptions wanted = options;
+  if (acceptsAny)
   {
-    const dgg::GraphOptions first = acceptsAny
-      ? dgg::ShareOptions(group, dgg::MakeOptions(this->OnInput.GetView().Info))
-      : options;
-    this->IsFound = group.Holds(isUsable(this->OnInput, first));
+    wanted = dgg::MakeOptions(this->OnInput.GetView().Info);
+    DGG_RETURN_IF_ERROR(dgg::ShareOptions(group, wanted));
   }
-  const bool isKept = group.Holds(this->Built.IsValid() && this->BuiltPiece == ofPiece &&
-    this->Built.GetView().Info.Surface == signature && isUsable(this->Built, options));
+  this->IsFound = isFound && dgg::IsBuiltWith(this->OnInput.GetView().Info, wanted);
+  DGG_RETURN_IF_ERROR(group.Require(this->IsFound));
+  const dgg::GraphInfo& built = this->Built.GetView().Info;
+  bool isKept = this->Built.IsValid() && this->BuiltPiece == ofPiece &&
+    built.Surface == signature && dgg::IsBuiltWith(built, options);
+  DGG_RETURN_IF_ERROR(group.Require(isKept));
   if (!this->IsFound && !isKept)
   {
     this->Built.Clear();
@@ -60,7 +60,7 @@ dgg::Status DGGPieceGraph::Update(const DGGContext& context, const dgg::ProcessG
       dgg::BuildPieceGraph(context, group, piece, options, graph, this->Estimate, isDone));
     if (!isDone)
     {
-      this->Refused = ofPiece;
+      this->Refused = signature;
       return dgg::Status::Success();
     }
     this->Built.Adopt(graph, context);

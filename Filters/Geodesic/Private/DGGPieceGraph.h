@@ -16,7 +16,7 @@
 struct DGGContext;
 namespace dgg
 {
-struct ProcessGroup;
+class ProcessGroup;
 struct SurfacePiece;
 }
 
@@ -26,11 +26,11 @@ class DGGPieceGraph
 {
 public:
   /// Finds or builds the graph; all processes use either the graphs of their inputs or those built
-  /// here. The options must be the same on all processes; if `acceptsAny`, the graphs of the inputs
-  /// need not be built with them. `isDone` becomes false on all processes if the pieces must be
+  /// here. The options of the first process count; if `acceptsAny`, the graphs of the inputs need
+  /// not be built with them. `isDone` becomes false on all processes if the pieces must be
   /// gathered. `warning` receives the reason why a graph on the input is not used.
-  dgg::Status Update(const DGGContext& context, const dgg::ProcessGroup& group,
-    const dgg::SurfacePiece& piece, const dgg::GraphOptions& options, bool acceptsAny, bool& isDone,
+  dgg::Status Update(const DGGContext& context, dgg::ProcessGroup& group,
+    const dgg::SurfacePiece& piece, dgg::GraphOptions options, bool acceptsAny, bool& isDone,
     std::string& warning);
 
   ///@{
@@ -52,7 +52,7 @@ private:
   DGGGraphArrays Built;
   bool IsFound = false;        // OnInput is used
   dgg::Signature BuiltPiece{}; // piece of which Built has rows
-  dgg::Signature Refused{};    // piece of which no graph can be built
+  dgg::Signature Refused{};    // pieces, summed, of which no graph can be built
   dgg::GraphEstimate Estimate;
   dgg::GraphSummary Summary;
   vtkTimeStamp BuildTime;

@@ -279,25 +279,24 @@ dgg::Status DGGProcesses::Gather(
 
 //------------------------------------------------------------------------------
 dgg::Status DGGProcesses::JoinOnFirst(
-  vtkDataObject* here, vtkSmartPointer<vtkPolyData>& joined) const
+  dgg::ProcessGroup& group, vtkDataObject* here, vtkSmartPointer<vtkPolyData>& joined) const
 {
   vtkIdType others = 0;
   std::vector<DGGSurfacePart> parts = DGGFindParts(here, others);
-  dgg::Status status;
   for (DGGSurfacePart& part : parts)
   {
-    status = status.IsOk() ? DGGRemoveGhosts(part.Data) : status;
+    DGG_RETURN_IF_ERROR(DGGRemoveGhosts(part.Data));
   }
-  DGG_RETURN_IF_ERROR(this->Agree(status));
+  DGG_RETURN_IF_ERROR(group.Agree(dgg::Status::Success()));
   std::vector<std::size_t> counts;
-  status = this->Gather(parts, counts);
-  DGGJoinedParts whole;
-  if (status.IsOk() && this->IsFirst())
+  DGG_RETURN_IF_ERROR(this->Gather(parts, counts));
+  if (this->IsFirst())
   {
-    status = whole.Join(parts);
+    DGGJoinedParts whole;
+    DGG_RETURN_IF_ERROR(whole.Join(parts));
     joined = whole.GetWhole();
   }
-  return this->Agree(status);
+  return dgg::Status::Success();
 }
 
 //------------------------------------------------------------------------------
@@ -338,11 +337,11 @@ bool DGGProcesses::FindGroup(bool canJoin, dgg::ProcessGroup& group) const
   }
   group.Here = this->Controller->GetLocalProcessId();
   group.Count = this->Controller->GetNumberOfProcesses();
-  group.Exchange = [distributor, controller = this->Controller](
-                     std::vector<dgg::Message>& messages) {
-    distributor->Exchange(controller, messages);
+  group.Transfer = [distributor, controller = this->Controller](
+                     std::vector<dgg::Message>& sent, std::vector<dgg::Message>& received) {
+    distributor->Transfer(controller, sent, received);
   };
-  group.Agree = [*this](const dgg::Status& status) { return this->Agree(status); };
+  group.FindFailure = [*this](const dgg::Status& status) { return this->Agree(status); };
   return true;
 }
 

@@ -13,7 +13,7 @@
 class vtkMultiProcessController;
 namespace dgg
 {
-struct ProcessGroup;
+class ProcessGroup;
 }
 
 using DGGArrayList = std::vector<vtkSmartPointer<vtkAbstractArray>>;
@@ -48,7 +48,8 @@ public:
   dgg::Status Gather(std::vector<DGGSurfacePart>& parts, std::vector<std::size_t>& counts) const;
   /// Joins the points and cells that all processes have of an input, on the first process;
   /// elsewhere `joined` is null. `here` may be null.
-  dgg::Status JoinOnFirst(vtkDataObject* here, vtkSmartPointer<vtkPolyData>& joined) const;
+  dgg::Status JoinOnFirst(
+    dgg::ProcessGroup& group, vtkDataObject* here, vtkSmartPointer<vtkPolyData>& joined) const;
   /// Sends the results of all parts from the first process to the processes of the parts; the
   /// inverse of Gather().
   void Scatter(const std::vector<std::size_t>& counts, std::vector<DGGPartResult>& results) const;
