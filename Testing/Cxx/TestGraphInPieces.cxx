@@ -111,6 +111,17 @@ vtkSmartPointer<vtkPolyData> MakeTwoComponents()
   return Beside(MakeTerrain(24), MakeCube(), 3.0);
 }
 
+/// A strip along which windows cross many cells, so that regions grow after the first round.
+vtkSmartPointer<vtkPolyData> MakeLongStrip()
+{
+  auto strip = MakeGrid(150, 3, GridCells::Quads);
+  MovePoints(strip, [](double* p) {
+    p[0] += 0.3 * std::sin(5.1 * p[0] + 7.3 * p[1]);
+    p[1] += 0.3 * std::sin(3.7 * p[0] + 2.9 * p[1]);
+  });
+  return strip;
+}
+
 /// Three bumpy sheets that share a row of points; its edges have three triangles.
 vtkSmartPointer<vtkPolyData> MakePages()
 {
@@ -147,6 +158,7 @@ vtkSmartPointer<vtkPolyData> MakePages()
 const Case cases[] = { { "Terrain", [] { return MakeTerrain(32); }, 0.05 },
   { "TwoComponents", MakeTwoComponents, 0.02 }, { "Pages", MakePages, 0.05 },
   { "Quads", [] { return MakeGrid(30, 20, GridCells::Quads); }, 0.1 },
+  { "LongStrip", MakeLongStrip, 0.001 },
   { "DoubleLengths", [] { return MakeTerrain(10); }, 5e-6 } };
 
 class PieceGraph : public SeveralProcesses

@@ -22,10 +22,12 @@ namespace dgg
 {
 namespace
 {
-/// Layers of cells around a piece in the first round. Their number is doubled from round to round,
-/// as long as windows meet the rim. On a scan of 134,000 points in two strips, 5 % of the points
-/// need more layers at an accuracy of 1 %.
-constexpr int FirstLayers = 8;
+/// Layers of cells around a piece in the first round, and their growth from round to round as long
+/// as windows meet the rim. On a scan of 134,000 points in two strips, 1 % of the points need more
+/// layers than in the first round at an accuracy of 1 %, and none in the second. A layer costs much
+/// less than a round, which makes the mesh and its tables again.
+constexpr int FirstLayers = 16;
+constexpr int GrowthOfLayers = 4;
 /// Progress weight of finding edges.
 constexpr double FindingShare = 0.9;
 
@@ -79,7 +81,7 @@ public:
       }
     }
     GraphRegion region;
-    for (int layers = FirstLayers, present = 0;; layers *= 2)
+    for (int layers = FirstLayers, present = 0;; layers *= GrowthOfLayers)
     {
       const bool isFirst = present == 0;
       const bool isNeeded = !this->Unfinished.empty();
