@@ -263,11 +263,11 @@ dgg::Status vtkDiscreteGeodesicGraph::vtkInternals::ExecutePiece(
   const DGGContext& context, const DGGPieceUpdate& update, bool& isDone)
 {
   this->Built.Clear();
-  std::string warning;
+  std::vector<std::string> warnings;
   DGG_RETURN_IF_ERROR(this->Piece.Update(
-    context, update.Group, update.Piece, this->MakeOptions(), false, isDone, warning));
+    context, update.Group, update.Piece, this->MakeOptions(), false, isDone, warnings));
   this->InputGraphDamage = this->Piece.GetDamage();
-  this->Warn(warning);
+  this->Warn(warnings);
   if (!isDone)
   {
     return dgg::Status::Success();

@@ -209,9 +209,10 @@ private:
       static const dgg::PreparedSurface none;
       const dgg::TaskContext context{ none, {}, 1, nullptr, nullptr, nullptr };
       dgg::PieceGraph graph;
+      std::vector<std::string> warnings;
       bool isUsable = false;
       status = dgg::BuildPieceGraph(context, group, this->Pieces[here].Get(), this->Options, graph,
-        this->Estimates[here], isUsable);
+        this->Estimates[here], warnings, isUsable);
       EXPECT_TRUE(isUsable || !status.IsOk());
     }
     catch (const std::bad_alloc&)

@@ -254,7 +254,10 @@ TEST_P(GraphInPieces, RowsAndDistancesAreTheSame)
   const auto prepare = [&](auto* graph) { graph->SetAccuracy(this->GetCase().Accuracy); };
   const auto alone = Alone<vtkDiscreteGeodesicGraph>(surface, prepare);
   const auto piece = this->TakePiece(surface, this->Count % 2 == 0);
-  const auto graph = this->Together<vtkDiscreteGeodesicGraph>(piece, prepare);
+  vtkNew<vtkDiscreteGeodesicGraph> graph;
+  graph->SetInputData(piece);
+  prepare(graph.Get());
+  this->Update(graph);
   this->ExpectRows(graph->GetOutput(), alone->GetOutput());
 
   const vtkIdType onRim = FindSharedPoint(surface, this->GetLabels(surface));
@@ -330,6 +333,61 @@ TEST_F(PieceGraph, OtherRules)
     const auto graph = this->Together<vtkDiscreteGeodesicGraph>(piece, prepare);
     this->ExpectRows(graph->GetOutput(), alone->GetOutput());
   }
+}
+
+//------------------------------------------------------------------------------
+/// The first process gives the warnings of a single process.
+TEST_F(PieceGraph, WarnsAboutDefects)
+{
+  Points points;
+  Cells cells;
+  for (vtkIdType i = 0; i < 40; ++i) // a band of triangles
+  {
+    points.push_back({ { 0.5 * i, i % 2 == 0 ? 0.0 : 1.0, 0.0 } });
+    if (i >= 2)
+    {
+      cells.push_back(i % 2 == 0 ? std::vector<vtkIdType>{ i - 2, i, i - 1 }
+                                 : std::vector<vtkIdType>{ i - 2, i - 1, i });
+    }
+  }
+  for (vtkIdType i = 5; i < 36; i += 10) // of each kind of defects, one in each part of the band
+  {
+    const auto added = static_cast<vtkIdType>(points.size());
+    points.push_back({ { 0.5 * i, 0.5, 1.0 } });
+    points.push_back({ { 0.5 * i + 0.5, 0.4, 1.0 } });
+    points.push_back({ { 0.5 * i + 0.4, 0.7, 1.5 } });
+    cells.push_back({ i, i + 1, added });             // a third triangle of an edge
+    cells.push_back({ i + 4, added + 1, added + 2 }); // a layer that touches another one
+    cells.push_back({ i - 1, i, i + 1 });             // a duplicate
+    cells.push_back({ i, i, i + 1 });                 // no triangle
+    points.push_back({ { 0.5 * i, 3.0, 0.0 } });      // a quad that crosses itself
+    points.push_back({ { 0.5 * i + 1.0, 4.0, 0.0 } });
+    points.push_back({ { 0.5 * i + 1.0, 3.0, 0.0 } });
+    points.push_back({ { 0.5 * i, 4.0, 0.0 } });
+    cells.push_back({ added + 3, added + 4, added + 5, added + 6 });
+  }
+  const auto surface = MakeSurface(points, cells);
+  const auto getWarnings = [](vtkPolyData* data, vtkMultiProcessController* controller,
+                             const auto& update) {
+    vtkNew<vtkDiscreteGeodesicGraph> graph;
+    graph->SetController(controller);
+    graph->SetInputData(data);
+    graph->SetAccuracy(0.1);
+    const Listener listener(graph);
+    update(graph.Get());
+    EXPECT_EQ(graph->GetOutput()->GetFieldData()->HasArray("DGG.GhostIds"), controller ? 1 : 0);
+    std::vector<std::string> warnings; // without the address of the filter
+    for (const std::string& text : listener.Warnings)
+    {
+      warnings.push_back(text.substr(text.find("The mesh")));
+    }
+    return warnings;
+  };
+  const auto alone = getWarnings(surface, nullptr, [](vtkAlgorithm* filter) { filter->Update(); });
+  const auto together = getWarnings(this->TakeStrip(surface, PartIds::Global, true),
+    this->Controller, [this](vtkAlgorithm* filter) { this->Update(filter); });
+  EXPECT_EQ(alone.size(), 5u);
+  EXPECT_EQ(together, this->IsFirst() ? alone : std::vector<std::string>());
 }
 
 //------------------------------------------------------------------------------

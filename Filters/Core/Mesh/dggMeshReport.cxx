@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggMeshReport.h"
 
+#include "dggCounted.h"
 #include "dggDisjointSets.h"
 #include "dggEdges.h"
 #include "dggPoint3.h"
+#include "dggStatus.h"
 #include "dggUnfolding.h"
 
 #include <algorithm>
@@ -30,11 +32,8 @@ void CountEdges(const SurfaceMesh& mesh, MeshReport& report, Offset& edges)
     {
       ++report.BoundaryEdges;
     }
-    else if (mesh.IsNonManifold(h))
-    {
-      ++report.NonManifoldEdges;
-    }
-    else if (mesh.Origin(t) == mesh.Origin(h) && mesh.Origin(h) != mesh.Destination(h))
+    else if (!mesh.IsNonManifold(h) && mesh.Origin(t) == mesh.Origin(h) &&
+      mesh.Origin(h) != mesh.Destination(h))
     {
       ++report.InconsistentEdges;
     }
@@ -85,6 +84,30 @@ bool TouchesNonManifoldEdge(const SurfaceMesh& mesh, Id v)
 {
   return std::any_of(mesh.FanBegin(v), mesh.FanEnd(v),
     [&](Id h) { return mesh.IsNonManifold(h) || mesh.IsNonManifold(SurfaceMesh::Previous(h)); });
+}
+
+SurfaceDefects CountDefects(
+  const SurfaceMesh& mesh, FanCounter& fans, const std::function<bool(Id)>& isCounted)
+{
+  SurfaceDefects defects;
+  for (Id h = 0; h < mesh.GetNumberOfHalfEdges(); ++h)
+  {
+    const bool isDefect = mesh.IsNonManifold(h) && FindEdge(mesh, h) == h &&
+      isCounted(std::min(mesh.Origin(h), mesh.Destination(h)));
+    defects.NonManifoldEdges += isDefect ? 1 : 0;
+  }
+  for (Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
+  {
+    const bool isDefect = isCounted(v) && fans.CountAt(v) > 1 && !TouchesNonManifoldEdge(mesh, v);
+    defects.NonManifoldVertices += isDefect ? 1 : 0;
+  }
+  for (Id f = 0; f < mesh.GetNumberOfFaces(); ++f)
+  {
+    const bool isDefect = mesh.IsDuplicate(f) &&
+      isCounted(std::min({ mesh.Origin(3 * f), mesh.Origin(3 * f + 1), mesh.Origin(3 * f + 2) }));
+    defects.DuplicateFaces += isDefect ? 1 : 0;
+  }
+  return defects;
 }
 
 /// Returns the number of boundary loops. Each boundary half-edge is joined to the boundary
@@ -165,6 +188,38 @@ std::uint64_t HashPoint(const double* p)
 }
 }
 
+SurfaceDefects CountDefects(const SurfaceMesh& mesh, const std::function<bool(Id)>& isCounted)
+{
+  FanCounter fans(mesh);
+  return CountDefects(mesh, fans, isCounted);
+}
+
+std::vector<std::string> DescribeDefects(const SurfaceDefects& defects)
+{
+  std::vector<std::string> warnings;
+  const auto warn = [&](Offset count, const char* noun, const char* what) {
+    if (count > 0)
+    {
+      warnings.push_back(JoinText("The mesh has ", Counted(count, noun), what));
+    }
+  };
+  warn(defects.NonManifoldEdges, "edge",
+    " with more than two triangles. Paths may pass between any two of these triangles");
+  warn(defects.NonManifoldVertices, "point",
+    " where separate layers touch. Paths may pass between these layers");
+  warn(defects.InconsistentEdges, "edge",
+    " across which no orientation is consistent, as on a Moebius strip. Distances do not depend on "
+    "orientation");
+  warn(defects.DroppedCells, "polygon",
+    " with fewer than three distinct points. Such polygons are ignored");
+  warn(defects.Fans, "self-intersecting or self-touching polygon",
+    ". Such polygons become fans around their first points. Triangulate them first if another "
+    "shape is meant");
+  warn(defects.DuplicateFaces, "triangle",
+    " on the same three points as an earlier one. Such triangles are ignored");
+  return warnings;
+}
+
 double MeasureMeanAnisotropy(const SurfaceMesh& mesh)
 {
   double sum = 0.0;
@@ -212,7 +267,6 @@ MeshReport InspectMesh(const SurfaceMesh& mesh, const double* points)
   for (Id f = 0; f < mesh.GetNumberOfFaces(); ++f)
   {
     report.RepeatedVertexFaces += mesh.IsDropped(f) && !mesh.IsDuplicate(f) ? 1 : 0;
-    report.DuplicateFaces += mesh.IsDuplicate(f) ? 1 : 0;
     report.ReorientedFaces += mesh.IsFlipped(f) ? 1 : 0;
   }
   Offset edges = 0;
@@ -225,8 +279,11 @@ MeshReport InspectMesh(const SurfaceMesh& mesh, const double* points)
     const Offset here = fanCounter.CountAt(v);
     fans += here;
     report.IsolatedVertices += here == 0 ? 1 : 0;
-    report.NonManifoldVertices += here > 1 && !TouchesNonManifoldEdge(mesh, v) ? 1 : 0;
   }
+  const SurfaceDefects defects = CountDefects(mesh, fanCounter, [](Id) { return true; });
+  report.NonManifoldEdges = defects.NonManifoldEdges;
+  report.NonManifoldVertices = defects.NonManifoldVertices;
+  report.DuplicateFaces = defects.DuplicateFaces;
   report.BoundaryLoops = CountBoundaryLoops(mesh, fanCounter);
   report.DegenerateFaces = mesh.GetNumberOfDegenerateFaces();
   report.CoincidentPoints = points ? CountCoincidentPoints(points, report.Vertices) : 0;

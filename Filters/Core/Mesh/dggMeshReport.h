@@ -8,6 +8,10 @@
 #include "dggCoreExport.h"  // for DGG_CORE_EXPORT
 #include "dggSurfaceMesh.h" // for SurfaceMesh
 
+#include <functional> // for vertices that are counted
+#include <string>     // for warnings
+#include <vector>     // for warnings
+
 namespace dgg
 {
 /// Properties of a mesh that affect the reliability of computations on it.
@@ -36,6 +40,25 @@ struct MeshReport
   double MedianAnisotropy = 0.0; ///< median of the same quantity over the faces
   double Mollification = 0.0;    ///< length added to the edges of degenerate faces
 };
+
+/// Numbers of defects of a surface that change its distances but do not prevent them.
+struct SurfaceDefects
+{
+  Offset NonManifoldEdges = 0;
+  Offset NonManifoldVertices = 0;
+  Offset InconsistentEdges = 0;
+  Offset DroppedCells = 0; ///< polygons with fewer than three distinct points
+  Offset Fans = 0;         ///< polygons that cross or touch themselves
+  Offset DuplicateFaces = 0;
+};
+
+/// Counts the non-manifold edges, non-manifold vertices and duplicate faces of which the vertex
+/// with the smallest id is counted.
+DGG_CORE_EXPORT SurfaceDefects CountDefects(
+  const SurfaceMesh& mesh, const std::function<bool(Id vertex)>& isCounted);
+
+/// Returns a warning for each kind of defects.
+DGG_CORE_EXPORT std::vector<std::string> DescribeDefects(const SurfaceDefects& defects);
 
 /// Returns the mean elongation of triangles, l_max (l1+l2+l3) / (4 sqrt(3) area), over the
 /// non-degenerate faces, weighted by area, so that slivers hardly count; 1 for equilateral

@@ -365,26 +365,15 @@ void PreparedSurface::CollectWarnings()
 {
   // The report of a regular mesh, which takes longer, contains no defects.
   const MeshReport report = this->IsRegular() ? MeshReport() : this->GetReport();
-  auto warn = [this](Offset count, const char* noun, const std::string& what) {
+  this->Warnings =
+    DescribeDefects({ report.NonManifoldEdges, report.NonManifoldVertices, report.InconsistentEdges,
+      this->NumberOfDroppedCells, this->NumberOfFans, report.DuplicateFaces });
+  const auto warn = [this](Offset count, const char* noun, const std::string& what) {
     if (count > 0)
     {
       this->Warnings.push_back(JoinText("The mesh has ", Counted(count, noun), what));
     }
   };
-  warn(report.NonManifoldEdges, "edge",
-    " with more than two triangles. Paths may pass between any two of these triangles");
-  warn(report.NonManifoldVertices, "point",
-    " where separate layers touch. Paths may pass between these layers");
-  warn(report.InconsistentEdges, "edge",
-    " across which no orientation is consistent, as on a Moebius strip. Distances do not depend on "
-    "orientation");
-  warn(this->NumberOfDroppedCells, "polygon",
-    " with fewer than three distinct points. Such polygons are ignored");
-  warn(this->NumberOfFans, "self-intersecting or self-touching polygon",
-    ". Such polygons become fans around their first points. Triangulate them first if another "
-    "shape is meant");
-  warn(report.DuplicateFaces, "triangle",
-    " on the same three points as an earlier one. Such triangles are ignored");
   warn(this->Caps.NumberOfCaps, "triangle",
     JoinText(" without area (height at most ", this->Caps.LargestHeight,
       "). Such triangles are ignored, and their neighbors are split where they meet"));

@@ -80,6 +80,7 @@ Status SurfaceRegion::Start(ProcessGroup& group, const SurfacePiece& piece, bool
 {
   *this = SurfaceRegion();
   this->Piece = &piece;
+  this->Here = group.Here;
   isUsable = IsValid(piece) && this->AddPiece();
   DGG_RETURN_IF_ERROR(group.Require(isUsable));
   if (!isUsable)
@@ -391,7 +392,11 @@ Status SurfaceFacts::Share(ProcessGroup& group)
   for (const SurfaceFacts& part : parts)
   {
     this->IsRegular = this->IsRegular && part.IsRegular;
-    this->HasBranches = this->HasBranches || part.HasBranches;
+    this->Defects.NonManifoldEdges += part.Defects.NonManifoldEdges;
+    this->Defects.NonManifoldVertices += part.Defects.NonManifoldVertices;
+    this->Defects.DroppedCells += part.Defects.DroppedCells;
+    this->Defects.Fans += part.Defects.Fans;
+    this->Defects.DuplicateFaces += part.Defects.DuplicateFaces;
     this->NumberOfFaces += part.NumberOfFaces;
     this->LongestEdge = std::max(this->LongestEdge, part.LongestEdge);
     this->ShortestEdge = std::min(this->ShortestEdge, part.ShortestEdge);
@@ -430,6 +435,7 @@ SurfaceFacts SurfaceRegion::MakeMesh(RegionMesh& region) const
     return this->Cells[a].GlobalId < this->Cells[b].GlobalId;
   });
   SurfaceFacts facts;
+  SurfaceDefects defects;
   PolygonTriangulator triangulator(positions.data());
   std::vector<Id> triangles;
   std::vector<Id> corners;
@@ -441,9 +447,15 @@ SurfaceFacts SurfaceRegion::MakeMesh(RegionMesh& region) const
     {
       corners.push_back(rank[this->Corners[k]]);
     }
+    const Offset fans = triangulator.GetNumberOfFans();
     const Id added = triangulator.Triangulate(corners, triangles);
     const bool isOwn = c < this->NumberOfOwnCells;
-    facts.NumberOfFaces += isOwn ? added : 0;
+    if (isOwn)
+    {
+      facts.NumberOfFaces += added;
+      defects.DroppedCells += added == 0 ? 1 : 0;
+      defects.Fans += triangulator.GetNumberOfFans() - fans;
+    }
     region.CellIds.insert(
       region.CellIds.end(), static_cast<std::size_t>(added), isOwn ? cell.GlobalId : NoId);
   }
@@ -458,13 +470,18 @@ SurfaceFacts SurfaceRegion::MakeMesh(RegionMesh& region) const
       continue;
     }
     const Id twin = mesh.Twin(h);
-    const bool isBranch = mesh.IsNonManifold(h);
-    facts.HasBranches = facts.HasBranches || isBranch;
     facts.IsRegular = !mesh.IsFlipped(SurfaceMesh::Face(h)) &&
-      (isBranch || twin == NoId || mesh.Origin(twin) == mesh.Destination(h));
+      (mesh.IsNonManifold(h) || twin == NoId || mesh.Origin(twin) == mesh.Destination(h));
     facts.LongestEdge = std::max(facts.LongestEdge, mesh.Length(h));
     facts.ShortestEdge = std::min(facts.ShortestEdge, mesh.Length(h));
     facts.SmallestSlack = std::min(facts.SmallestSlack, GetSlack(mesh, SurfaceMesh::Face(h)));
+  }
+  if (facts.IsRegular)
+  {
+    facts.Defects =
+      CountDefects(mesh, [&](Id v) { return this->GetOwner(order[v]) == this->Here; });
+    facts.Defects.DroppedCells = defects.DroppedCells;
+    facts.Defects.Fans = defects.Fans;
   }
   return facts;
 }

@@ -7,6 +7,7 @@
 
 #include "dggCoreExport.h"    // for DGG_CORE_EXPORT
 #include "dggGroups.h"        // for the cells of points
+#include "dggMeshReport.h"    // for defects
 #include "dggProcessGroup.h"  // for messages
 #include "dggSurfaceMesh.h"   // for the mesh
 #include "dggSurfacePieces.h" // for the piece
@@ -21,7 +22,7 @@ namespace dgg
 struct DGG_CORE_EXPORT SurfaceFacts
 {
   bool IsRegular = true; ///< no degenerate face, and the same orientation everywhere
-  bool HasBranches = false;
+  SurfaceDefects Defects;
   Offset NumberOfFaces = 0;
   double LongestEdge = 0.0;
   double ShortestEdge = Infinity;
@@ -57,7 +58,7 @@ public:
   Status Grow(ProcessGroup& group, int layers, bool isNeeded, double inUse);
 
   /// Makes the mesh of the region. Returns the facts of the region, with the number of faces of the
-  /// piece.
+  /// piece and the defects at points that belong to this process.
   SurfaceFacts MakeMesh(RegionMesh& region) const;
 
   /// Returns the size in bytes.
@@ -95,6 +96,7 @@ private:
   void AddCells(const Message& message, int here);
 
   const SurfacePiece* Piece = nullptr;
+  int Here = 0; // this process
   std::vector<Offset> PointIds;
   std::vector<double> Positions;
   std::vector<std::vector<int>> Holders; // per point, the processes with cells at it, sorted

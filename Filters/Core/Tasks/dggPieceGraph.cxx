@@ -66,7 +66,8 @@ public:
     this->Options.Progress = ProgressPart(context.Progress, 0.0, FindingShare);
   }
 
-  Status Run(const SurfacePiece& piece, GraphEstimate& estimate, bool& isUsable)
+  Status Run(const SurfacePiece& piece, GraphEstimate& estimate, std::vector<std::string>& warnings,
+    bool& isUsable)
   {
     DGG_RETURN_IF_ERROR(this->Region.Start(this->Group, piece, isUsable));
     if (!isUsable)
@@ -99,7 +100,8 @@ public:
       {
         DGG_RETURN_IF_ERROR(facts.Share(this->Group));
         region.NumberOfFaces = facts.NumberOfFaces;
-        region.HasBranches = facts.HasBranches;
+        region.HasBranches = facts.Defects.NonManifoldEdges > 0;
+        warnings = DescribeDefects(facts.Defects);
       }
       isUsable = facts.IsRegular;
       DGG_RETURN_IF_ERROR(this->Group.Require(isUsable));
@@ -372,12 +374,13 @@ Status ShareOptions(ProcessGroup& group, GraphOptions& options)
 }
 
 Status BuildPieceGraph(const TaskContext& context, ProcessGroup& group, const SurfacePiece& piece,
-  GraphOptions options, PieceGraph& graph, GraphEstimate& estimate, bool& isUsable)
+  GraphOptions options, PieceGraph& graph, GraphEstimate& estimate,
+  std::vector<std::string>& warnings, bool& isUsable)
 {
   graph = PieceGraph();
   estimate = GraphEstimate();
   EdgeFinder finder(context, group, options);
-  DGG_RETURN_IF_ERROR(finder.Run(piece, estimate, isUsable));
+  DGG_RETURN_IF_ERROR(finder.Run(piece, estimate, warnings, isUsable));
   if (!isUsable)
   {
     return Status::Success();

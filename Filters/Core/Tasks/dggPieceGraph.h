@@ -13,6 +13,7 @@
 #include "dggStoredGraph.h"   // for the ghosts
 #include "dggSurfacePieces.h" // for pieces
 
+#include <string> // for warnings
 #include <vector> // for pieces
 
 namespace dgg
@@ -43,11 +44,12 @@ DGG_CORE_EXPORT Status ShareOptions(ProcessGroup& group, GraphOptions& options);
 /// the surface that JoinSurfacePieces() makes, bit by bit. `isUsable` becomes false on all
 /// processes if the pieces must be gathered instead: for the reasons of SurfaceRegion::Start(), and
 /// for faces that are degenerate or not oriented consistently. The options must be the same on all
-/// processes, and not ask for the indirect construction. The surface of the context is not used. If
-/// this process fails or throws alone, ProcessGroup::Agree() ends the others.
+/// processes, and not ask for the indirect construction. The surface of the context is not used.
+/// `warnings` are those of the surface, except for coincident points of the boundary. If this
+/// process fails or throws alone, ProcessGroup::Agree() ends the others.
 DGG_CORE_EXPORT Status BuildPieceGraph(const TaskContext& context, ProcessGroup& group,
   const SurfacePiece& piece, GraphOptions options, PieceGraph& graph, GraphEstimate& estimate,
-  bool& isUsable);
+  std::vector<std::string>& warnings, bool& isUsable);
 
 /// A piece of a stored graph, to be joined.
 struct StoredPiece

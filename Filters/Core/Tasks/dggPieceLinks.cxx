@@ -80,7 +80,7 @@ Status PieceLinks::MakeMesh(ProcessGroup& group)
     region.IsRim = this->Mesh.IsRim;
     region.PointIds = this->PointIds;
     region.NumberOfFaces = facts.NumberOfFaces;
-    region.HasBranches = facts.HasBranches;
+    region.HasBranches = facts.Defects.NonManifoldEdges > 0;
     this->Builder = std::make_unique<const GraphBuilder>(mesh, region);
   }
   return Status::Success();

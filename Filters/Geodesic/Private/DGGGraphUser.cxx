@@ -10,6 +10,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace
 {
@@ -114,15 +115,15 @@ dgg::Status DGGGraphUser::UpdatePiece(const DGGContext& context, dgg::ProcessGro
 {
   dgg::GraphOptions options;
   options.Accuracy = this->Accuracy;
-  std::string warning;
-  DGG_RETURN_IF_ERROR(this->Piece.Update(context, group, piece, options, true, isDone, warning));
+  std::vector<std::string> warnings;
+  DGG_RETURN_IF_ERROR(this->Piece.Update(context, group, piece, options, true, isDone, warnings));
   this->UsesPiece = isDone;
   if (!isDone)
   {
     return dgg::Status::Success();
   }
   this->ForgetGraph();
-  if (!warning.empty())
+  for (const std::string& warning : warnings)
   {
     vtkWarningWithObjectMacro(filter, << DGGRender(warning) << ".");
   }

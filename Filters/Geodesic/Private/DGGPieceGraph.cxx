@@ -16,7 +16,7 @@
 //------------------------------------------------------------------------------
 dgg::Status DGGPieceGraph::Update(const DGGContext& context, dgg::ProcessGroup& group,
   const dgg::SurfacePiece& piece, dgg::GraphOptions options, bool acceptsAny, bool& isDone,
-  std::string& warning)
+  std::vector<std::string>& warnings)
 {
   vtkFieldData* data = context.Input->GetFieldData();
   const dgg::Signature ofPiece = dgg::ComputeSignature(piece);
@@ -39,7 +39,10 @@ dgg::Status DGGPieceGraph::Update(const DGGContext& context, dgg::ProcessGroup& 
     complaint = "The graph {InArrays} is out of date: points or cells have changed since it was "
                 "built";
   }
-  warning = complaint.empty() ? "" : dgg::DescribeReplacement(complaint, options);
+  if (!complaint.empty())
+  {
+    warnings.push_back(dgg::DescribeReplacement(complaint, options));
+  }
   dgg::GraphOptions wanted = options;
   if (acceptsAny)
   {
@@ -56,8 +59,9 @@ dgg::Status DGGPieceGraph::Update(const DGGContext& context, dgg::ProcessGroup& 
   {
     this->Built.Clear();
     dgg::PieceGraph graph;
+    std::vector<std::string> defects;
     DGG_RETURN_IF_ERROR(
-      dgg::BuildPieceGraph(context, group, piece, options, graph, this->Estimate, isDone));
+      dgg::BuildPieceGraph(context, group, piece, options, graph, this->Estimate, defects, isDone));
     if (!isDone)
     {
       this->Refused = signature;
@@ -66,6 +70,10 @@ dgg::Status DGGPieceGraph::Update(const DGGContext& context, dgg::ProcessGroup& 
     this->Built.Adopt(graph, context);
     this->BuiltPiece = ofPiece;
     this->BuildTime.Modified();
+    if (group.Here == 0)
+    {
+      warnings.insert(warnings.end(), defects.begin(), defects.end());
+    }
   }
   this->Summarize(piece);
   return dgg::Status::Success();

@@ -12,6 +12,7 @@
 #include "vtkTimeStamp.h" // for the build time
 
 #include <string> // for warnings
+#include <vector> // for warnings
 
 struct DGGContext;
 namespace dgg
@@ -28,10 +29,11 @@ public:
   /// Finds or builds the graph; all processes use either the graphs of their inputs or those built
   /// here. The options of the first process count; if `acceptsAny`, the graphs of the inputs need
   /// not be built with them. `isDone` becomes false on all processes if the pieces must be
-  /// gathered. `warning` receives the reason why a graph on the input is not used.
+  /// gathered. `warnings` receives the reason why a graph on the input is not used, and, on the
+  /// first process, the defects of the surface.
   dgg::Status Update(const DGGContext& context, dgg::ProcessGroup& group,
     const dgg::SurfacePiece& piece, dgg::GraphOptions options, bool acceptsAny, bool& isDone,
-    std::string& warning);
+    std::vector<std::string>& warnings);
 
   ///@{
   /// Results of Update().
