@@ -233,6 +233,7 @@ dgg::Status DGGDistanceInternals::ExecutePiece(
   DGG_RETURN_IF_ERROR(this->ComputePiece(context, update, sources, request, results, isDone));
   if (isDone)
   {
+    this->Warn(results.Warnings);
     vtkPolyData* output = vtkPolyData::GetData(update.Outputs);
     output->ShallowCopy(context.Input);
     this->AddResults(results, output);

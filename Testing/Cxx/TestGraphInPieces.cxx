@@ -486,6 +486,51 @@ TEST_F(PieceGraph, IsWrittenAndRead)
 }
 
 //------------------------------------------------------------------------------
+/// Sources that are missing or far from the surface, and points without cells, are reported as by
+/// one process.
+TEST_F(PieceGraph, ReportsSources)
+{
+  const auto part = this->TakeStrip(MakeTerrain(12), PartIds::Global);
+  if (this->Here == this->Count - 1)
+  {
+    part->GetPoints()->InsertNextPoint(0.5, 0.5, 3.0);
+    for (const char* name : { "Whole", "GlobalPointIds" })
+    {
+      vtkIdTypeArray::SafeDownCast(part->GetPointData()->GetArray(name))->InsertNextValue(144);
+    }
+  }
+  vtkNew<vtkDGGDistance> distance;
+  distance->SetInputData(part);
+  distance->SetAccuracy(0.1);
+  const Listener listener(distance);
+  const auto expectError = [&](const char* text) {
+    this->Update(distance);
+    ASSERT_FALSE(listener.Errors.empty());
+    EXPECT_NE(listener.Errors.back().find(text), std::string::npos) << listener.Errors.back();
+    ExpectEmptyOutput(distance);
+  };
+  expectError("There is no source");
+  distance->SetSourceIds({ 3, 145 });
+  expectError("Source id 145 is out of range: the input has 145 points");
+  distance->RemoveAllSourceIds();
+  distance->SetSourceData(
+    MakeSourcePoints({ { { 0.5, 0.5, GetTerrainHeight(0.5, 0.5) } }, { { 0.5, 0.5, 9.0 } } }));
+  expectError("Source 1, at (0.5, 0.5, 9), is ");
+  distance->RemoveAllSources();
+  distance->SetSourceIds({ 3, 144 });
+  const std::size_t errors = listener.Errors.size();
+  this->Update(distance);
+  EXPECT_EQ(listener.Errors.size(), errors);
+  ASSERT_EQ(listener.Warnings.size(), this->IsFirst() ? 1u : 0u);
+  if (this->IsFirst())
+  {
+    EXPECT_NE(
+      listener.Warnings[0].find("Source id 144 is a point that no polygon uses"), std::string::npos)
+      << listener.Warnings[0];
+  }
+}
+
+//------------------------------------------------------------------------------
 /// If properties differ, those of the first process count. A graph is not kept for another piece.
 TEST_F(PieceGraph, PropertiesAndPiecesThatDiffer)
 {

@@ -259,32 +259,39 @@ std::string SourceCollection::DescribeIsolated(
   const PreparedSurface& surface, const std::vector<GeodesicSource>& sources) const
 {
   const SurfaceMesh& mesh = surface.GetMeshWithoutAngles();
-  std::size_t count = 0;
-  std::string points;
+  std::vector<std::size_t> isolated;
   for (std::size_t i = 0; i < sources.size(); ++i)
   {
     const Id vertex = sources[i].Point.Vertex;
-    const bool isIsolated = IsVertex(sources[i].Point) &&
+    if (IsVertex(sources[i].Point) &&
       (surface.IsCloud() ? !IsFinite(PointAt(surface.GetPositions(), vertex))
-                         : mesh.FanBegin(vertex) == mesh.FanEnd(vertex));
-    if (isIsolated && ++count == 1)
+                         : mesh.FanBegin(vertex) == mesh.FanEnd(vertex)))
     {
-      const std::size_t ids = this->Ids.size();
-      points =
-        i < ids ? JoinText(Capitalize(this->Role), " id ", this->Ids[i]) : this->Describe(i - ids);
+      isolated.push_back(i);
     }
   }
-  if (count == 0)
+  return this->DescribeIsolated(isolated, surface.IsCloud());
+}
+
+//------------------------------------------------------------------------------
+std::string SourceCollection::DescribeIsolated(
+  const std::vector<std::size_t>& isolated, bool isCloud) const
+{
+  if (isolated.empty())
   {
     return {};
   }
-  points += count == 1 ? " is a point" : JoinText(" and ", count - 1, " more are points");
-  return points +
-    (surface.IsCloud()
-        ? " with coordinates that are not finite. Such points reach no other point. Choose "
-          "points with finite coordinates"
-        : " that no polygon uses. Such points reach no other point. Choose points "
-          "of polygons");
+  const std::size_t ids = this->Ids.size();
+  const std::size_t first = isolated.front();
+  const std::string point = first < ids ? JoinText(Capitalize(this->Role), " id ", this->Ids[first])
+                                        : this->Describe(first - ids);
+  return point +
+    (isolated.size() == 1 ? " is a point"
+                          : JoinText(" and ", isolated.size() - 1, " more are points")) +
+    (isCloud ? " with coordinates that are not finite. Such points reach no other point. Choose "
+               "points with finite coordinates"
+             : " that no polygon uses. Such points reach no other point. Choose points "
+               "of polygons");
 }
 
 //------------------------------------------------------------------------------

@@ -10,6 +10,7 @@
 #include "dggSourceCollection.h"
 
 #include <algorithm>
+#include <string>
 #include <utility>
 
 namespace dgg
@@ -25,6 +26,8 @@ Status FindPieceDistances(ProcessGroup& group, PieceSearch& search, PieceLinks* 
     const double offset = sources.GetInitialDistanceOfId(i);
     seeds.push_back({ sources.Ids[i], { NoId, offset, offset, static_cast<Id>(i), -1.0 } });
   }
+  std::vector<std::size_t> isolated;
+  DGG_RETURN_IF_ERROR(search.FindIsolated(group, seeds, isolated));
   if (sources.GetNumberOfPositions() > 0)
   {
     DGG_RETURN_IF_ERROR(links->Find(group, sources, options.Tolerance, options.Accuracy, seeds));
@@ -52,6 +55,11 @@ Status FindPieceDistances(ProcessGroup& group, PieceSearch& search, PieceLinks* 
   }
   results.Distances = std::move(options.Correct ? found.Corrected : found.Labels);
   results.NearestSource = std::move(found.NearestSource);
+  const std::string warning = sources.DescribeIsolated(isolated, false);
+  if (group.Here == 0 && !warning.empty())
+  {
+    output.Warnings.push_back(warning);
+  }
   const PreparedSurface none; // every point is a vertex
   output.IsReached = FindReached(none, results);
   WriteDistances(none, results, output.IsReached, request, output);

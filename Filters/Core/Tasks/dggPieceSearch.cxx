@@ -196,7 +196,16 @@ Status PieceSearch::Run(ProcessGroup& group, const std::vector<PieceSeed>& seeds
   const PieceSearchOptions& options, PieceDistances& result)
 {
   result = PieceDistances();
-  const std::vector<GraphSeed> here = this->FindSeeds(seeds);
+  const std::vector<Id> vertices = this->FindVertices(seeds);
+  std::vector<GraphSeed> here; // at vertices that are known here
+  for (std::size_t i = 0; i < seeds.size(); ++i)
+  {
+    if (vertices[i] != NoId)
+    {
+      here.push_back(seeds[i].Seed);
+      here.back().Vertex = vertices[i];
+    }
+  }
   DGG_RETURN_IF_ERROR(this->FindLabels(group, here, options));
   result.Labels.assign(this->Distances.begin(), this->Distances.begin() + this->PointsHere);
   if (!options.Correct && !options.FindSources)
@@ -226,33 +235,51 @@ Status PieceSearch::Run(ProcessGroup& group, const std::vector<PieceSeed>& seeds
   return Status::Success();
 }
 
-/// Returns the seeds at vertices that are known here.
-std::vector<GraphSeed> PieceSearch::FindSeeds(const std::vector<PieceSeed>& seeds) const
+Status PieceSearch::FindIsolated(ProcessGroup& group, const std::vector<PieceSeed>& seeds,
+  std::vector<std::size_t>& isolated) const
 {
-  std::unordered_map<Offset, Id> vertices;
+  const std::vector<Id> vertices = this->FindVertices(seeds);
+  std::vector<std::size_t> here;
+  for (std::size_t i = 0; i < seeds.size(); ++i)
+  {
+    const Id v = vertices[i];
+    if (v != NoId && this->IsHere(v) && this->Graph.Offsets[v] == this->Graph.Offsets[v + 1])
+    {
+      here.push_back(i);
+    }
+  }
+  std::vector<std::vector<std::size_t>> lists;
+  DGG_RETURN_IF_ERROR(group.ShareList(here, lists));
+  for (const std::vector<std::size_t>& list : lists)
+  {
+    isolated.insert(isolated.end(), list.begin(), list.end());
+  }
+  std::sort(isolated.begin(), isolated.end());
+  return Status::Success();
+}
+
+/// Returns the vertex of each seed; NoId if it is not known here.
+std::vector<Id> PieceSearch::FindVertices(const std::vector<PieceSeed>& seeds) const
+{
+  std::unordered_map<Offset, Id> known;
   for (const PieceSeed& seed : seeds)
   {
-    vertices.emplace(seed.PointId, NoId);
+    known.emplace(seed.PointId, NoId);
   }
   for (Id v = 0; v < this->Graph.NumberOfVertices; ++v)
   {
-    const auto found = vertices.find(this->Ids[v]);
-    if (found != vertices.end())
+    const auto found = known.find(this->Ids[v]);
+    if (found != known.end())
     {
       found->second = v;
     }
   }
-  std::vector<GraphSeed> here;
+  std::vector<Id> vertices;
   for (const PieceSeed& seed : seeds)
   {
-    const Id v = vertices[seed.PointId];
-    if (v != NoId)
-    {
-      here.push_back(seed.Seed);
-      here.back().Vertex = v;
-    }
+    vertices.push_back(known[seed.PointId]);
   }
-  return here;
+  return vertices;
 }
 
 /// Finds the labels of all vertices, and the tree of the vertices of this process.

@@ -65,6 +65,10 @@ public:
   Status Run(ProcessGroup& group, const std::vector<PieceSeed>& seeds,
     const PieceSearchOptions& options, PieceDistances& result);
 
+  /// Finds the seeds, by their indices, at points without edges.
+  Status FindIsolated(ProcessGroup& group, const std::vector<PieceSeed>& seeds,
+    std::vector<std::size_t>& isolated) const;
+
   /// Returns the number of points of all pieces.
   Offset GetNumberOfPoints() const { return this->NumberOfPoints; }
   /// Returns true if the global ids are 0, 1, 2 ...
@@ -83,7 +87,7 @@ private:
   Status FindReaders(ProcessGroup& group, const SurfacePiece& piece, bool& isUsable);
   Status MeasureAngles(ProcessGroup& group, const SurfacePiece& piece, bool& isUsable);
   Status CountPoints(ProcessGroup& group, Offset& edges);
-  std::vector<GraphSeed> FindSeeds(const std::vector<PieceSeed>& seeds) const;
+  std::vector<Id> FindVertices(const std::vector<PieceSeed>& seeds) const;
   Status FindLabels(
     ProcessGroup& group, const std::vector<GraphSeed>& seeds, const PieceSearchOptions& options);
   bool LowerLabels(const std::vector<GraphSeed>& seeds, bool areFirst, SearchLabels& labels,
