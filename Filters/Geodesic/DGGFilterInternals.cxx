@@ -22,10 +22,12 @@
 #include "vtkDemandDrivenPipeline.h"
 #include "vtkErrorCode.h"
 #include "vtkExecutive.h"
+#include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationIntegerKey.h"
 #include "vtkInformationVector.h"
 #include "vtkMultiProcessController.h"
+#include "vtkNew.h"
 #include "vtkPolyData.h"
 #include "vtkSMPTools.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
@@ -76,6 +78,22 @@ dgg::Status CheckPieces(int piece, int pieces, vtkMultiProcessController* contro
          "one process");
 }
 
+/// Adds empty field data to inputs without field data, which VTK permits.
+void AddFieldData(vtkAlgorithm* filter)
+{
+  for (int port = 0; port < filter->GetNumberOfInputPorts(); ++port)
+  {
+    for (int i = 0; i < filter->GetNumberOfInputConnections(port); ++i)
+    {
+      vtkDataObject* input = filter->GetInputDataObject(port, i);
+      if (input && !input->GetFieldData())
+      {
+        input->SetFieldData(vtkNew<vtkFieldData>());
+      }
+    }
+  }
+}
+
 /// Empties the outputs. Outputs that are marked as not generated are computed again in the next
 /// update, others when something has been modified.
 void Empty(vtkInformationVector* outputVector, bool isAgain)
@@ -113,6 +131,7 @@ void DGGFilterInternals::Update(
 {
   const dgg::Status status = this->Attempt([&] {
     this->ForgetResults();
+    AddFieldData(this->Filter);
     return this->Follow(request, inputVector, outputVector);
   });
   if (!status.IsOk())

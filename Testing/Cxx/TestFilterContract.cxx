@@ -180,6 +180,16 @@ TEST_P(FilterContract, LeavesItsInputAloneAndPassesIt)
   }
 }
 
+TEST_P(FilterContract, InputMayHaveNoFieldData)
+{
+  const auto expected = this->Make();
+  ExpectSuccess(expected);
+  const auto filter = this->Make();
+  this->Relief->SetFieldData(nullptr);
+  ExpectSuccess(filter);
+  EXPECT_EQ(DescribeOutputs(filter), DescribeOutputs(expected));
+}
+
 TEST_P(FilterContract, EmptyInputGivesEmptyOutputWithAWarning)
 {
   const auto filter = this->Make();

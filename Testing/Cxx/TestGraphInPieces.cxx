@@ -490,7 +490,8 @@ TEST_F(PieceGraph, IsWrittenAndRead)
 /// one process.
 TEST_F(PieceGraph, ReportsSources)
 {
-  const auto part = this->TakeStrip(MakeTerrain(12), PartIds::Global);
+  const auto surface = MakeTerrain(12);
+  const auto part = this->TakeStrip(surface, PartIds::Global);
   if (this->Here == this->Count - 1)
   {
     part->GetPoints()->InsertNextPoint(0.5, 0.5, 3.0);
@@ -513,8 +514,8 @@ TEST_F(PieceGraph, ReportsSources)
   distance->SetSourceIds({ 3, 145 });
   expectError("Source id 145 is out of range: the input has 145 points");
   distance->RemoveAllSourceIds();
-  distance->SetSourceData(
-    MakeSourcePoints({ { { 0.5, 0.5, GetTerrainHeight(0.5, 0.5) } }, { { 0.5, 0.5, 9.0 } } }));
+  const double* const p = surface->GetPoint(70);
+  distance->SetSourceData(MakeSourcePoints({ { { p[0], p[1], p[2] } }, { { 0.5, 0.5, 9.0 } } }));
   expectError("Source 1, at (0.5, 0.5, 9), is ");
   distance->RemoveAllSources();
   distance->SetSourceIds({ 3, 144 });
@@ -528,6 +529,21 @@ TEST_F(PieceGraph, ReportsSources)
       listener.Warnings[0].find("Source id 144 is a point that no polygon uses"), std::string::npos)
       << listener.Warnings[0];
   }
+}
+
+//------------------------------------------------------------------------------
+/// A piece may have no field data.
+TEST_F(PieceGraph, OfPieceWithoutFieldData)
+{
+  const auto prepare = [](auto* graph) { graph->SetAccuracy(0.1); };
+  const auto piece = this->TakeStrip(this->Surface, PartIds::Global);
+  if (this->IsFirst())
+  {
+    piece->SetFieldData(nullptr);
+  }
+  const auto graph = this->Together<vtkDiscreteGeodesicGraph>(piece, prepare);
+  this->ExpectRows(
+    graph->GetOutput(), Alone<vtkDiscreteGeodesicGraph>(this->Surface, prepare)->GetOutput());
 }
 
 //------------------------------------------------------------------------------
