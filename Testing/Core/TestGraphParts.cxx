@@ -202,6 +202,8 @@ TEST(GraphParts, UnfoldingTableSaysWhenTooLarge)
   }
 }
 
+/// Threads use blocks simultaneously, in other orders than they were filled, after some have been
+/// released.
 TEST(GraphParts, ReleasedCrossingsAreComputedAgain)
 {
   std::vector<Id> sheets;
@@ -211,19 +213,22 @@ TEST(GraphParts, ReleasedCrossingsAreComputedAgain)
     const dgg::UnfoldingTable table(mesh, dgg::ComputePatchOrder(mesh, 256));
     ASSERT_GE(table.GetNumberOfBlocks(), 5u);
     dgg::CrossingBlocks crossings(table);
-    for (int round = 0; round < 3; ++round)
+    for (int round = 0; round < 6; ++round)
     {
-      for (Id h = 0; h < mesh.GetNumberOfHalfEdges(); ++h)
-      {
-        const Id entry = table.EntryOf(h);
-        EXPECT_EQ(crossings[entry].HalfEdge, h);
-        EXPECT_EQ(crossings[entry].Apex.X, mesh.ApexX(h));
-        EXPECT_EQ(crossings.PolarAngle(h), mesh.PolarAngle(h));
-        if (table.NeedsMirrors())
+      const auto parallel = WithThreads(round % 2 == 0 ? 1 : 4, 50);
+      parallel(mesh.GetNumberOfHalfEdges(), 1, [&](dgg::Offset begin, dgg::Offset end) {
+        for (auto h = static_cast<Id>(begin); h < end; ++h)
         {
-          EXPECT_EQ(crossings[entry + mesh.GetNumberOfHalfEdges()].HalfEdge, ~h);
+          const Id entry = table.EntryOf(h);
+          EXPECT_EQ(crossings[entry].HalfEdge, h);
+          EXPECT_EQ(crossings[entry].Apex.X, mesh.ApexX(h));
+          EXPECT_EQ(crossings.PolarAngle(h), mesh.PolarAngle(h));
+          if (table.NeedsMirrors())
+          {
+            EXPECT_EQ(crossings[entry + mesh.GetNumberOfHalfEdges()].HalfEdge, ~h);
+          }
         }
-      }
+      });
       crossings.Trim(1);
     }
   }

@@ -274,4 +274,29 @@ TEST(PieceGraphMemory, LimitOfOneProcess)
     processes.ExpectError("more than the limit", std::to_string(limit));
   }
 }
+
+/// A ghost must be a point of the surface.
+TEST(PieceGraph, GhostIsMissing)
+{
+  const std::vector<dgg::Offset> offsets{ 0, 1, 1 };
+  const std::vector<Id> targets{ 1 };
+  const std::vector<float> values{ 1.0F };
+  const std::vector<dgg::Offset> points{ 0 };
+  const std::vector<dgg::Offset> globalIds{ 4, 8 };
+  for (const dgg::Offset ghost : { 8, 9 })
+  {
+    dgg::StoredPiece piece;
+    piece.Rows.Offsets = offsets.data();
+    piece.Rows.Targets = targets.data();
+    piece.Rows.Lengths = values.data();
+    piece.Rows.Angles = values.data();
+    piece.Rows.ArrivalAngles = values.data();
+    piece.GhostIds = &ghost;
+    piece.Points = &points;
+    dgg::GeodesicGraph graph;
+    const dgg::Status status = dgg::JoinPieceGraphs({ piece }, globalIds.data(), 2, graph);
+    EXPECT_EQ(
+      status.GetCode(), ghost == 8 ? dgg::Status::Code::Ok : dgg::Status::Code::DamagedGraph);
+  }
+}
 }
