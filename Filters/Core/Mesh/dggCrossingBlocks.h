@@ -32,7 +32,7 @@ public:
 
   const FaceCrossing& operator[](Id entry)
   {
-    return this->BlockOf(entry).Crossings[PlaceOf(entry)];
+    return this->BlockOf(entry).Crossings[IndexInBlock(entry)];
   }
   /// Returns the code behind half-edge `exit`, through which its own face is left.
   Id CodeBehind(Id exit)
@@ -44,7 +44,7 @@ public:
   double PolarAngle(Id h)
   {
     const Id entry = this->Table.EntryOf(h);
-    return this->BlockOf(entry).PolarAngles[PlaceOf(entry)];
+    return this->BlockOf(entry).PolarAngles[IndexInBlock(entry)];
   }
 
   /// Releases the older half of the blocks if there are more than `most`, for reuse. No thread may
@@ -53,18 +53,19 @@ public:
 
 private:
   // Unsigned, for which divisions are shifts.
-  static std::uint32_t IndexOf(Id entry)
+  static std::uint32_t BlockIndex(Id entry)
   {
     return static_cast<std::uint32_t>(entry) / CrossingBlock::Size;
   }
-  static std::uint32_t PlaceOf(Id entry)
+  static std::uint32_t IndexInBlock(Id entry)
   {
     return static_cast<std::uint32_t>(entry) % CrossingBlock::Size;
   }
   const CrossingBlock& BlockOf(Id entry)
   {
-    const CrossingBlock* const block = this->Blocks[IndexOf(entry)].load(std::memory_order_acquire);
-    return block ? *block : this->Fill(IndexOf(entry));
+    const CrossingBlock* const block =
+      this->Blocks[BlockIndex(entry)].load(std::memory_order_acquire);
+    return block ? *block : this->Fill(BlockIndex(entry));
   }
   const CrossingBlock& Fill(std::size_t index);
 

@@ -125,7 +125,8 @@ std::size_t UnfoldingTable::GetMemorySize() const
   return this->Rim.capacity() + this->LastAngles.capacity() * sizeof(float) +
     sizeof(Id) *
     (this->Order.capacity() + this->Rank.capacity() + this->FaceRank.capacity() +
-      this->FirstVertices.capacity() + this->Branches.capacity() + this->Places.capacity());
+      this->FirstVertices.capacity() + this->Branches.capacity() +
+      this->BranchPositions.capacity());
 }
 
 void UnfoldingTable::Fill(std::size_t index, CrossingBlock& block) const
@@ -193,18 +194,18 @@ void UnfoldingTable::ListBranches()
   {
     return;
   }
-  this->Places.assign(this->Mesh.GetNumberOfHalfEdges(), NoId);
+  this->BranchPositions.assign(this->Mesh.GetNumberOfHalfEdges(), NoId);
   this->Branches.reserve(
     static_cast<std::size_t>(2 * (this->Count.BranchHalfEdges + this->Count.BranchEdges)));
   for (Id first = 0; first < this->Mesh.GetNumberOfHalfEdges(); ++first)
   {
-    if (!this->Mesh.IsNonManifold(first) || this->Places[first] != NoId)
+    if (!this->Mesh.IsNonManifold(first) || this->BranchPositions[first] != NoId)
     {
       continue;
     }
     const std::size_t begin = this->Branches.size();
     ForEachHalfEdge(this->Mesh, first, [&](Id h) {
-      this->Places[h] = static_cast<Id>(this->Branches.size());
+      this->BranchPositions[h] = static_cast<Id>(this->Branches.size());
       const bool ascends = this->Mesh.Origin(h) <= this->Mesh.Destination(h);
       this->Branches.push_back(this->Entry(h, !ascends));
       this->Branches.push_back(this->Entry(h, ascends));
@@ -250,6 +251,6 @@ Id UnfoldingTable::FindCodeBehind(Id exit, bool mirrored) const
   // unmirrored and descending half-edges mirrored: this is the first list. If the window is
   // mirrored or the half-edge ascending, the roles are swapped.
   const bool descends = this->Mesh.Destination(exit) <= this->Mesh.Origin(exit);
-  return FirstBranch - (this->Places[exit] + (mirrored == descends ? 1 : 0));
+  return FirstBranch - (this->BranchPositions[exit] + (mirrored == descends ? 1 : 0));
 }
 }

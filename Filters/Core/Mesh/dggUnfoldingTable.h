@@ -184,7 +184,7 @@ private:
   std::vector<Id> Branches;
   /// Position of each half-edge of a non-manifold edge in the first list of its edge; empty if all
   /// edges are manifold.
-  std::vector<Id> Places;
+  std::vector<Id> BranchPositions;
   Id Mirrors = 0; // first mirrored crossing; 0 if no crossing is mirrored
 };
 }
