@@ -157,7 +157,7 @@ bool DGGGraphArrays::AreOfPiece(vtkFieldData* data)
 }
 
 //------------------------------------------------------------------------------
-bool DGGGraphArrays::AreOfWhole(vtkFieldData* data)
+bool DGGGraphArrays::AreOfEntireSurface(vtkFieldData* data)
 {
   return data && data->HasArray(StoredGraph::GetName(StoredGraph::Info)) && !AreOfPiece(data);
 }

@@ -43,7 +43,7 @@ public:
   ///@{
   /// Returns true if field data contain the graph of a piece, or the graph of an entire surface.
   static bool AreOfPiece(vtkFieldData* data);
-  static bool AreOfWhole(vtkFieldData* data);
+  static bool AreOfEntireSurface(vtkFieldData* data);
   ///@}
 
   /// Finds the graph of the mesh or cloud in `data`, which may be null. Returns true if there is

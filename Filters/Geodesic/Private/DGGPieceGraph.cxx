@@ -24,7 +24,7 @@ dgg::Status DGGPieceGraph::Update(const DGGContext& context, dgg::ProcessGroup& 
   DGG_RETURN_IF_ERROR(group.Share(ofPiece, signatures));
   const dgg::Signature signature = dgg::SumSignatures(signatures);
   // The graph of an entire surface is on the first process.
-  isDone = this->Refused != signature && !DGGGraphArrays::AreOfWhole(data);
+  isDone = this->Refused != signature && !DGGGraphArrays::AreOfEntireSurface(data);
   DGG_RETURN_IF_ERROR(group.Require(isDone));
   if (!isDone)
   {
