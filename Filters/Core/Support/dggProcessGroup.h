@@ -12,7 +12,6 @@
 #include <cstddef>     // for std::size_t
 #include <cstring>     // for std::memcpy
 #include <functional>  // for the transfer
-#include <numeric>     // for std::accumulate
 #include <type_traits> // for std::is_trivially_copyable
 #include <utility>     // for std::move
 #include <vector>      // for messages
@@ -101,24 +100,42 @@ public:
   }
 
   /// Sends messages[p] to each process p; messages[p] becomes the message from process p. Fails if
-  /// the messages and `inUse`, the bytes in use already, exceed the limit of a process.
-  Status Exchange(std::vector<Message>& messages, double inUse)
+  /// the messages and `inUse`, the bytes in use already, exceed the limit of a process. `isEmpty`
+  /// becomes true if all messages of all processes are empty.
+  Status Exchange(std::vector<Message>& messages, double inUse, bool* isEmpty = nullptr)
   {
-    std::vector<std::size_t> sizes;
+    struct Sizes
+    {
+      std::size_t OfMessage;
+      std::size_t OfProcess; // all messages of the sender
+    };
+    std::size_t bytes = 0;
     for (const Message& message : messages)
     {
-      sizes.push_back(message.size());
+      bytes += message.size();
     }
-    const std::vector<std::size_t> sent = sizes;
+    std::vector<Sizes> sizes;
+    for (const Message& message : messages)
+    {
+      sizes.push_back({ message.size(), bytes });
+    }
     DGG_RETURN_IF_ERROR(this->Swap(sizes));
-    const double bytes = std::accumulate(sent.begin(), sent.end(), 0.0) +
-      std::accumulate(sizes.begin(), sizes.end(), 0.0);
-    const Status status =
-      CheckMemory("The exchange of pieces", inUse + bytes, this->MemoryLimit, "Use more processes");
+    bool isAnySent = false;
+    for (const Sizes& size : sizes)
+    {
+      bytes += size.OfMessage;
+      isAnySent = isAnySent || size.OfProcess > 0;
+    }
+    if (isEmpty)
+    {
+      *isEmpty = !isAnySent;
+    }
+    const Status status = CheckMemory("The exchange of pieces", inUse + static_cast<double>(bytes),
+      this->MemoryLimit, "Use more processes");
     std::vector<Message> received(sizes.size());
     for (std::size_t process = 0; process < sizes.size() && status.IsOk(); ++process)
     {
-      received[process].resize(sizes[process]);
+      received[process].resize(sizes[process].OfMessage);
     }
     DGG_RETURN_IF_ERROR(this->Agree(status));
     this->Transfer(messages, received);

@@ -243,6 +243,7 @@ Status SurfaceRegion::Grow(ProcessGroup& group, int layers, bool isNeeded, doubl
 {
   const auto count = static_cast<std::size_t>(group.Count);
   std::vector<Message> messages(count);
+  bool isComplete = false; // all regions
   for (int layer = 0; layer < layers; ++layer)
   {
     std::vector<std::vector<Offset>> requested(count);
@@ -259,9 +260,16 @@ Status SurfaceRegion::Grow(ProcessGroup& group, int layers, bool isNeeded, doubl
     for (std::size_t process = 0; process < count; ++process)
     {
       messages[process].clear();
-      Append(messages[process], requested[process]);
+      if (!requested[process].empty())
+      {
+        Append(messages[process], requested[process]);
+      }
     }
-    DGG_RETURN_IF_ERROR(group.Exchange(messages, this->GetMemorySize() + inUse));
+    DGG_RETURN_IF_ERROR(group.Exchange(messages, this->GetMemorySize() + inUse, &isComplete));
+    if (isComplete)
+    {
+      return Status::Success();
+    }
     for (std::size_t process = 0; process < count; ++process)
     {
       const std::vector<Offset> ids = MessageReader(messages[process]).Take<Offset>();

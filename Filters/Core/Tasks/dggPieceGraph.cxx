@@ -149,7 +149,8 @@ public:
       Append(messages[process], sent[process]);
       std::vector<SentEdge>().swap(sent[process]);
     }
-    DGG_RETURN_IF_ERROR(this->Group.Exchange(messages, this->GetMemorySize()));
+    DGG_RETURN_IF_ERROR(
+      this->Group.Exchange(messages, this->GetMemorySize() + this->Region.GetMemorySize()));
     for (int process = 0; process < this->Group.Count; ++process)
     {
       for (const SentEdge& edge : MessageReader(messages[process]).Take<SentEdge>())
