@@ -3,6 +3,7 @@
 """Classes for the VTK that is loaded: the compiled ones if they were built with it, otherwise Python
 filters. With another VTK, the first compiled object would crash."""
 
+import contextlib
 import importlib
 import os
 import re
@@ -18,6 +19,8 @@ def find_class(name):
     """Returns a class by its name. Readers and writers exist as compiled classes only."""
     problem = _problem()
     if not problem and name in build_info.CLASSES:
+        with contextlib.suppress(ImportError):  # there is no MPI here, or VTK was built without it
+            importlib.import_module("._parallel", __package__)
         module = importlib.import_module(f".{build_info.CLASSES[name]}", __package__)
         return getattr(module, name)
     if name in TABLE:
