@@ -194,4 +194,15 @@ if (DGG_WITH_PYTHON)
     FIXTURES_REQUIRED dgg_install
     LABELS "Install"
     ENVIRONMENT "PYTHONPATH=${install_prefix}/${dgg_python_destination}")
+  if (TARGET DGG::FiltersParallel AND MPIEXEC_EXECUTABLE)
+    add_test(NAME Install.PythonPieces
+      COMMAND "${MPIEXEC_EXECUTABLE}" ${MPIEXEC_NUMPROC_FLAG} 2 ${MPIEXEC_PREFLAGS}
+        "${Python3_EXECUTABLE}" "${CMAKE_CURRENT_SOURCE_DIR}/Python/test_pieces.py")
+    set_tests_properties(Install.PythonPieces PROPERTIES
+      FIXTURES_REQUIRED dgg_install
+      LABELS "Install;Ranks"
+      ENVIRONMENT "PYTHONPATH=${install_prefix}/${dgg_python_destination};\
+DGG_TEST_OUTPUT=${dgg_test_output};${dgg_leaking_environment};${dgg_mpi_environment}"
+      TIMEOUT 120)
+  endif ()
 endif ()

@@ -7,13 +7,12 @@ import unittest
 
 import numpy as np
 import support
-from mpi4py import MPI  # initializes MPI, which VTK does not do in Python
+from mpi4py import MPI
 from vtkdgg import vtkDGGDistance, vtkDiscreteGeodesicGraph
 from vtkmodules.util.numpy_support import numpy_to_vtkIdTypeArray
 from vtkmodules.vtkParallelCore import vtkMultiProcessController
 from vtkmodules.vtkParallelMPI import vtkMPIController
 
-CONTROLLER = vtkMPIController()
 SOURCES = [5, 600]
 
 
@@ -33,7 +32,8 @@ def piece_of(points, triangles, process, processes):
 class Pieces(unittest.TestCase):
     def test_graph_and_distances(self):
         """The graph is distributed, and distances are bitwise identical to those of one process."""
-        here, count = CONTROLLER.GetLocalProcessId(), CONTROLLER.GetNumberOfProcesses()
+        controller = vtkMultiProcessController.GetGlobalController()
+        here, count = controller.GetLocalProcessId(), controller.GetNumberOfProcesses()
         points, triangles = support.bumpy()
         alone = support.make(
             vtkDGGDistance, support.polydata(points, triangles), Controller=None, SourceIds=SOURCES
@@ -50,7 +50,8 @@ class Pieces(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    CONTROLLER.Initialize()
-    vtkMultiProcessController.SetGlobalController(CONTROLLER)
+    controller = vtkMPIController()
+    controller.Initialize()
+    vtkMultiProcessController.SetGlobalController(controller)
     if not unittest.main(verbosity=2, exit=False).result.wasSuccessful():
         MPI.COMM_WORLD.Abort(1)  # or the other processes wait for this one

@@ -90,6 +90,7 @@ class Pages(unittest.TestCase):
             ("Filters/Geodesic/README.md", "python"): 2,
             ("Filters/Parallel/README.md", "cmake"): 1,
             ("Filters/Parallel/README.md", "cpp"): 1,
+            ("Filters/Parallel/README.md", "python"): 1,
             ("Filters/PointCloud/README.md", "python"): 2,
             ("Filters/Spectral/README.md", "python"): 2,
             ("Readers/README.md", "python"): 2,
@@ -381,9 +382,12 @@ class OtherPages(unittest.TestCase):
             np.testing.assert_array_equal(written.points[0], read.points[0])
 
     def test_lines_of_graphs_in_pieces(self):
-        # Built and run by the tests of the install tree.
-        for language, file in (("cpp", "GraphInPieces.cxx"), ("cmake", "CMakeLists.txt")):
-            program = code("Cxx", file)
+        # Run under mpiexec by other tests, in Python and from the install tree.
+        for language, program in (
+            ("cpp", code("Cxx", "GraphInPieces.cxx")),
+            ("cmake", code("Cxx", "CMakeLists.txt")),
+            ("python", code("..", "Testing", "Python", "test_pieces.py")),
+        ):
             for line in pages.blocks("Filters/Parallel/README.md", language)[0].splitlines():
                 self.assertIn(line.strip(), program)
 

@@ -116,7 +116,11 @@ else ()
   dgg_add_package(runtime "${dgg_runtime}" libs "for VTK"
     "These are the libraries that programs need to run.")
   # Dependencies of programs. (CPack would complain about the Python modules.)
-  string(REPLACE "DGG::" "vtkDGG" dgg_shlibs "dggCore;${dgg_modules}")
+  set(dgg_shlibs dggCore ${dgg_modules})
+  if (dgg_with_parallel)
+    list(APPEND dgg_shlibs DGG::FiltersParallel)
+  endif ()
+  list(TRANSFORM dgg_shlibs REPLACE "DGG::" "vtkDGG")
   list(TRANSFORM dgg_shlibs
     REPLACE "(.+)" "lib\\1 ${dgg_soversion} ${dgg_runtime} (= ${dgg_version})")
   list(JOIN dgg_shlibs "\n" dgg_shlibs)

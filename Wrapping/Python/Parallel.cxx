@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// The module vtkdgg._parallel. Its import loads DGG::FiltersParallel, which registers itself.
-#include "vtkDGGFiltersGeodesicModule.h" // registers modules of vtk_module_autoinit()
+#include "vtkDGGFiltersGeodesicModule.h" // registers the modules of vtk_module_autoinit()
 
 #include <pybind11/pybind11.h>
 
