@@ -8,7 +8,8 @@
 #include "dggSurfaceRegion.h"
 
 #include <algorithm>
-#include <unordered_map>
+#include <iterator>
+#include <numeric>
 #include <utility>
 
 namespace dgg
@@ -24,13 +25,6 @@ struct PartNumbers
   Offset Points = 0;
   Offset Edges = 0;
   Offset LargestId = NoId;
-};
-
-/// First value of a message about arrivals.
-struct RoundState
-{
-  bool IsFinished; ///< all vertices of the process have arrivals
-  bool HasValues;  ///< the process sends arrivals to any process
 };
 
 /// A value of the k-th vertex that two processes share.
@@ -52,6 +46,16 @@ auto ListValues(const std::vector<std::vector<Id>>& vertices, const ValueOf& val
       std::back_inserter(lists[process]), valueOf);
   }
   return lists;
+}
+
+/// Appends a list to a message unless the list is empty.
+template <typename Value>
+void AppendIfAny(Message& message, const std::vector<Value>& list)
+{
+  if (!list.empty())
+  {
+    Append(message, list);
+  }
 }
 
 /// Sends one list to each process, and returns the lists from them.
@@ -90,23 +94,19 @@ Status PieceSearch::FindReaders(ProcessGroup& group, const SurfacePiece& piece, 
 {
   this->Ids.assign(piece.PointIds, piece.PointIds + piece.NumberOfPoints);
   this->Ids.insert(this->Ids.end(), this->Ghosts.Ids, this->Ghosts.Ids + this->Ghosts.Count);
-  std::unordered_map<Offset, Id> vertices; // of this process, by global id
+  this->ById.resize(this->Ids.size());
+  std::iota(this->ById.begin(), this->ById.end(), 0);
+  std::sort(this->ById.begin(), this->ById.end(),
+    [this](Id a, Id b) { return this->Ids[a] < this->Ids[b]; });
   isUsable = true;
   for (Id v = 0; v < this->Graph.NumberOfVertices; ++v)
   {
     const Id owner = this->Ghosts.Owners[v];
-    if (this->IsHere(v))
-    {
-      vertices.emplace(this->Ids[v], v);
-    }
-    else if (owner >= 0 && owner < group.Count)
+    if (owner >= 0 && owner < group.Count)
     {
       this->Received[owner].push_back(v);
     }
-    else
-    {
-      isUsable = false;
-    }
+    isUsable = isUsable && (this->IsHere(v) || (owner >= 0 && owner < group.Count));
   }
   auto requested = ListValues(this->Received, [this](Id v) { return this->Ids[v]; });
   DGG_RETURN_IF_ERROR(ExchangeLists(group, requested));
@@ -114,9 +114,9 @@ Status PieceSearch::FindReaders(ProcessGroup& group, const SurfacePiece& piece, 
   {
     for (const Offset id : requested[process])
     {
-      const auto found = vertices.find(id);
-      isUsable = isUsable && found != vertices.end();
-      this->Sent[process].push_back(found != vertices.end() ? found->second : 0);
+      const Id v = this->FindVertex(id);
+      isUsable = isUsable && v != NoId && this->IsHere(v);
+      this->Sent[process].push_back(v);
     }
     this->LastSent.emplace_back(requested[process].size(), Infinity);
   }
@@ -196,14 +196,14 @@ Status PieceSearch::Run(ProcessGroup& group, const std::vector<PieceSeed>& seeds
   const PieceSearchOptions& options, PieceDistances& result)
 {
   result = PieceDistances();
-  const std::vector<Id> vertices = this->FindVertices(seeds);
   std::vector<GraphSeed> here; // at vertices that are known here
-  for (std::size_t i = 0; i < seeds.size(); ++i)
+  for (const PieceSeed& seed : seeds)
   {
-    if (vertices[i] != NoId)
+    const Id v = this->FindVertex(seed.PointId);
+    if (v != NoId)
     {
-      here.push_back(seeds[i].Seed);
-      here.back().Vertex = vertices[i];
+      here.push_back(seed.Seed);
+      here.back().Vertex = v;
     }
   }
   DGG_RETURN_IF_ERROR(this->FindLabels(group, here, options));
@@ -238,11 +238,10 @@ Status PieceSearch::Run(ProcessGroup& group, const std::vector<PieceSeed>& seeds
 Status PieceSearch::FindIsolated(ProcessGroup& group, const std::vector<PieceSeed>& seeds,
   std::vector<std::size_t>& isolated) const
 {
-  const std::vector<Id> vertices = this->FindVertices(seeds);
   std::vector<std::size_t> here;
   for (std::size_t i = 0; i < seeds.size(); ++i)
   {
-    const Id v = vertices[i];
+    const Id v = this->FindVertex(seeds[i].PointId);
     if (v != NoId && this->IsHere(v) && this->Graph.Offsets[v] == this->Graph.Offsets[v + 1])
     {
       here.push_back(i);
@@ -258,28 +257,12 @@ Status PieceSearch::FindIsolated(ProcessGroup& group, const std::vector<PieceSee
   return Status::Success();
 }
 
-/// Returns the vertex of each seed; NoId if it is not known here.
-std::vector<Id> PieceSearch::FindVertices(const std::vector<PieceSeed>& seeds) const
+/// Returns the vertex with a global id; NoId if it is not known here.
+Id PieceSearch::FindVertex(Offset id) const
 {
-  std::unordered_map<Offset, Id> known;
-  for (const PieceSeed& seed : seeds)
-  {
-    known.emplace(seed.PointId, NoId);
-  }
-  for (Id v = 0; v < this->Graph.NumberOfVertices; ++v)
-  {
-    const auto found = known.find(this->Ids[v]);
-    if (found != known.end())
-    {
-      found->second = v;
-    }
-  }
-  std::vector<Id> vertices;
-  for (const PieceSeed& seed : seeds)
-  {
-    vertices.push_back(known[seed.PointId]);
-  }
-  return vertices;
+  const auto found = std::lower_bound(this->ById.begin(), this->ById.end(), id,
+    [this](Id v, Offset wanted) { return this->Ids[v] < wanted; });
+  return found != this->ById.end() && this->Ids[*found] == id ? *found : NoId;
 }
 
 /// Finds the labels of all vertices, and the tree of the vertices of this process.
@@ -309,9 +292,7 @@ Status PieceSearch::FindLabels(
     }
     DGG_RETURN_IF_ERROR(ReportTo(progress, 0.0));
     this->CollectLowered(messages);
-    DGG_RETURN_IF_ERROR(group.Exchange(messages, 0.0));
-    isOver = std::all_of(messages.begin(), messages.end(),
-      [](const Message& message) { return MessageReader(message).Take<char>().front() == 0; });
+    DGG_RETURN_IF_ERROR(group.Exchange(messages, 0.0, &isOver));
   }
   return Status::Success();
 }
@@ -333,31 +314,23 @@ bool PieceSearch::LowerLabels(const std::vector<GraphSeed>& seeds, bool areFirst
       labels, this->Lowered);
 }
 
-/// Makes messages with the labels that have been lowered since they were last sent. Every message
-/// starts with a flag that tells if any label is sent.
+/// Makes messages with the labels that have been lowered since they were last sent.
 void PieceSearch::CollectLowered(std::vector<Message>& messages)
 {
-  std::vector<std::vector<SharedValue<double>>> lists(this->Sent.size());
-  bool isAnySent = false;
-  for (std::size_t process = 0; process < this->Sent.size(); ++process)
-  {
-    for (std::size_t k = 0; k < this->Sent[process].size(); ++k)
-    {
-      const double label = this->Distances[this->Sent[process][k]];
-      double& sent = this->LastSent[process][k];
-      if (label < sent)
-      {
-        sent = label;
-        lists[process].push_back({ static_cast<Id>(k), label });
-        isAnySent = true;
-      }
-    }
-  }
   messages.assign(this->Sent.size(), Message());
   for (std::size_t process = 0; process < this->Sent.size(); ++process)
   {
-    Append(messages[process], std::vector<char>{ static_cast<char>(isAnySent ? 1 : 0) });
-    Append(messages[process], lists[process]);
+    std::vector<SharedValue<double>> list;
+    for (std::size_t k = 0; k < this->Sent[process].size(); ++k)
+    {
+      const double label = this->Distances[this->Sent[process][k]];
+      if (label < this->LastSent[process][k])
+      {
+        this->LastSent[process][k] = label;
+        list.push_back({ static_cast<Id>(k), label });
+      }
+    }
+    AppendIfAny(messages[process], list);
   }
 }
 
@@ -367,9 +340,7 @@ std::vector<GraphSeed> PieceSearch::ReadLowered(const std::vector<Message>& mess
   std::vector<GraphSeed> lowered;
   for (std::size_t process = 0; process < messages.size(); ++process)
   {
-    MessageReader reader(messages[process]);
-    reader.Take<char>();
-    for (const SharedValue<double>& value : reader.Take<SharedValue<double>>())
+    for (const auto& value : MessageReader(messages[process]).Take<SharedValue<double>>())
     {
       const Id v = this->Received[process][value.Index];
       if (value.Content < this->Distances[v])
@@ -437,22 +408,14 @@ Status PieceSearch::FollowTree(ProcessGroup& group, const std::vector<GraphSeed>
     this->Descend(seeds, smallestOffset, tree, arrivals);
     DGG_RETURN_IF_ERROR(ReportTo(progress, 0.0));
     this->CollectArrivals(arrivals, tree, messages);
-    DGG_RETURN_IF_ERROR(group.Exchange(messages, 0.0));
+    DGG_RETURN_IF_ERROR(group.Exchange(messages, 0.0, &isOver));
     this->ReadArrivals(messages, tree, arrivals);
-    isOver = true;
-    bool isAnySent = false;
-    for (const Message& message : messages)
-    {
-      const RoundState state = MessageReader(message).Take<RoundState>().front();
-      isOver = isOver && state.IsFinished;
-      isAnySent = isAnySent || state.HasValues;
-    }
-    if (!isOver && !isAnySent)
-    {
-      return Status(Status::Code::DamagedGraph, "The pieces of a graph do not belong together");
-    }
   }
-  return Status::Success();
+  bool isComplete = tree.NumberLeft == 0;
+  DGG_RETURN_IF_ERROR(group.Require(isComplete));
+  return isComplete
+    ? Status::Success()
+    : Status(Status::Code::DamagedGraph, "The pieces of a graph do not belong together");
 }
 
 /// Enters the arrivals in messages.
@@ -461,9 +424,7 @@ void PieceSearch::ReadArrivals(
 {
   for (std::size_t process = 0; process < messages.size(); ++process)
   {
-    MessageReader reader(messages[process]);
-    reader.Take<RoundState>();
-    for (const SharedValue<Arrival>& value : reader.Take<SharedValue<Arrival>>())
+    for (const auto& value : MessageReader(messages[process]).Take<SharedValue<Arrival>>())
     {
       const Id v = this->Received[process][value.Index];
       arrivals[v] = value.Content;
@@ -502,24 +463,18 @@ void PieceSearch::Descend(const std::vector<GraphSeed>& seeds, double smallestOf
 void PieceSearch::CollectArrivals(
   const std::vector<Arrival>& arrivals, Tree& tree, std::vector<Message>& messages) const
 {
-  std::vector<std::vector<SharedValue<Arrival>>> lists(this->Sent.size());
-  RoundState state{ tree.NumberLeft == 0, false };
-  for (std::size_t process = 0; process < lists.size(); ++process)
+  messages.assign(this->Sent.size(), Message());
+  for (std::size_t process = 0; process < this->Sent.size(); ++process)
   {
     std::vector<Id>& pending = tree.Pending[process];
     const auto left = std::partition(pending.begin(), pending.end(),
       [&](Id k) { return arrivals[this->Sent[process][k]].Source != NoId; });
+    std::vector<SharedValue<Arrival>> list;
     std::for_each(pending.begin(), left, [&](Id k) {
-      lists[process].push_back({ k, arrivals[this->Sent[process][k]] });
+      list.push_back({ k, arrivals[this->Sent[process][k]] });
     });
     pending.erase(pending.begin(), left);
-    state.HasValues = state.HasValues || !lists[process].empty();
-  }
-  messages.assign(lists.size(), Message());
-  for (std::size_t process = 0; process < lists.size(); ++process)
-  {
-    Append(messages[process], std::vector<RoundState>{ state });
-    Append(messages[process], lists[process]);
+    AppendIfAny(messages[process], list);
   }
 }
 }

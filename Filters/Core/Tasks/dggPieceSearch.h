@@ -87,7 +87,7 @@ private:
   Status FindReaders(ProcessGroup& group, const SurfacePiece& piece, bool& isUsable);
   Status MeasureAngles(ProcessGroup& group, const SurfacePiece& piece, bool& isUsable);
   Status CountPoints(ProcessGroup& group, Offset& edges);
-  std::vector<Id> FindVertices(const std::vector<PieceSeed>& seeds) const;
+  Id FindVertex(Offset id) const;
   Status FindLabels(
     ProcessGroup& group, const std::vector<GraphSeed>& seeds, const PieceSearchOptions& options);
   bool LowerLabels(const std::vector<GraphSeed>& seeds, bool areFirst, SearchLabels& labels,
@@ -106,6 +106,7 @@ private:
   GraphView Graph;
   GhostVertices Ghosts;
   std::vector<Offset> Ids; // global, per vertex
+  std::vector<Id> ById;    // vertices in the order of their global ids
   Id PointsHere = 0;       // points of the piece
   Offset NumberOfPoints = 0;
   Offset LargestId = NoId;
