@@ -283,6 +283,7 @@ TEST(PieceGraph, GhostIsMissing)
   const std::vector<float> values{ 1.0F };
   const std::vector<dgg::Offset> points{ 0 };
   const std::vector<dgg::Offset> globalIds{ 4, 8 };
+  const std::vector<Id> owners{ dgg::GhostVertices::Here, 1 };
   for (const dgg::Offset ghost : { 8, 9 })
   {
     dgg::StoredPiece piece;
@@ -291,7 +292,7 @@ TEST(PieceGraph, GhostIsMissing)
     piece.Rows.Lengths = values.data();
     piece.Rows.Angles = values.data();
     piece.Rows.ArrivalAngles = values.data();
-    piece.GhostIds = &ghost;
+    piece.Ghosts = { &ghost, 1, owners.data() };
     piece.Points = &points;
     dgg::GeodesicGraph graph;
     const dgg::Status status = dgg::JoinPieceGraphs({ piece }, globalIds.data(), 2, graph);
