@@ -16,6 +16,7 @@
 #include <iterator>
 #include <memory>
 #include <numeric>
+#include <optional>
 #include <utility>
 
 namespace dgg
@@ -109,9 +110,13 @@ public:
       {
         return Status::Success();
       }
-      if (isNeeded)
+      std::optional<RowFinder> finder;
+      // No process traces windows if another one has too little memory.
+      DGG_RETURN_IF_ERROR(this->Group.Agree(
+        isNeeded ? this->Prepare(mesh.Mesh, region, finder, estimate) : Status::Success()));
+      if (finder)
       {
-        DGG_RETURN_IF_ERROR(this->FindEdges(mesh.Mesh, region, estimate));
+        DGG_RETURN_IF_ERROR(this->FindEdges(*finder));
       }
       std::vector<std::array<std::size_t, 2>> parts;
       DGG_RETURN_IF_ERROR(this->Group.Share(
@@ -173,33 +178,40 @@ public:
   SurfaceRegion Region;
 
 private:
-  /// Finds the edges of points that are not finished.
-  Status FindEdges(const SurfaceMesh& mesh, GraphRegion& region, GraphEstimate& estimate)
+  /// Prepares the search for the edges of points that are not finished. Fails if it would take too
+  /// much memory.
+  Status Prepare(const SurfaceMesh& mesh, GraphRegion& region, std::optional<RowFinder>& finder,
+    GraphEstimate& estimate)
   {
-    const std::vector<Id> order = this->Region.GetOrder();
-    std::vector<Id> rank(order.size());
+    this->Order = this->Region.GetOrder();
+    std::vector<Id> rank(this->Order.size());
     region.PointIds.clear();
-    for (std::size_t v = 0; v < order.size(); ++v)
+    for (std::size_t v = 0; v < rank.size(); ++v)
     {
-      rank[order[v]] = static_cast<Id>(v);
-      region.PointIds.push_back(this->Region.GetPointId(order[v]));
+      rank[this->Order[v]] = static_cast<Id>(v);
+      region.PointIds.push_back(this->Region.GetPointId(this->Order[v]));
     }
     region.Sources.clear();
     for (const Id point : this->Unfinished)
     {
       region.Sources.push_back(rank[point]);
     }
-    const RowFinder finder(mesh, region);
+    finder.emplace(mesh, region);
     GraphEstimate needed;
-    DGG_RETURN_IF_ERROR(finder.Estimate(this->Options, needed));
+    DGG_RETURN_IF_ERROR(finder->Estimate(this->Options, needed));
     needed.Peak += this->GetMemorySize() + this->Region.GetMemorySize() +
-      static_cast<double>(mesh.GetMemorySize() + order.size() * BytesOfVertex);
+      static_cast<double>(mesh.GetMemorySize() + rank.size() * BytesOfVertex);
     estimate.Edges = std::max(estimate.Edges, needed.Edges);
     estimate.Memory = std::max(estimate.Memory, needed.Memory);
     estimate.Peak = std::max(estimate.Peak, needed.Peak);
-    DGG_RETURN_IF_ERROR(CheckGraphMemory(this->Group.MemoryLimit, this->Options, estimate));
+    return CheckGraphMemory(this->Group.MemoryLimit, this->Options, estimate);
+  }
+
+  /// Finds the edges of points that are not finished.
+  Status FindEdges(const RowFinder& finder)
+  {
     this->Unfinished.clear();
-    const auto getPoint = [&](Id row) { return order[finder.GetTable().OldVertex(row)]; };
+    const auto getPoint = [&](Id row) { return this->Order[finder.GetTable().OldVertex(row)]; };
     return finder.Find(
       this->Options, this->Statistics, [&](const std::vector<RowBlock>& blocks, Id first) {
         for (const RowBlock& block : blocks)
@@ -226,6 +238,7 @@ private:
   ProcessGroup& Group;
   GraphOptions Options;
   std::vector<Id> Unfinished; // points of the region
+  std::vector<Id> Order;      // points of the region in the order of its mesh
   GraphStatistics Statistics;
 };
 
