@@ -6,6 +6,9 @@
 
 #include "dggBucketSearch.h"
 
+#include <map>
+#include <random>
+
 namespace dggtest
 {
 namespace
@@ -23,6 +26,75 @@ SearchResult RunMethod(const SearchCase& c, const std::vector<GraphSeed>& seeds,
     options.MaximumDistance = radius;
   });
 }
+
+/// A graph with random edges, angles and small integral lengths.
+class RandomGraph
+{
+public:
+  RandomGraph(Id n, Id degree, unsigned int seed)
+  {
+    std::mt19937 random(seed);
+    const auto draw = [&](unsigned int count) { return random() % count; };
+    struct Edge
+    {
+      float Angle;
+      Id Target;
+      float Length;
+      float Arrival;
+    };
+    std::vector<std::map<Id, Edge>> rows(n);
+    for (Id k = 0; k < n * degree / 2; ++k)
+    {
+      const auto u = static_cast<Id>(draw(n));
+      const auto v = static_cast<Id>(draw(n));
+      const auto length = static_cast<float>(1 + draw(6));
+      const float departure = 1e-3f * static_cast<float>(draw(6283));
+      const float arrival = 1e-3f * static_cast<float>(draw(6283));
+      if (u != v && rows[u].count(v) == 0)
+      {
+        rows[u][v] = { departure, v, length, arrival };
+        rows[v][u] = { arrival, u, length, departure };
+      }
+    }
+    for (const std::map<Id, Edge>& row : rows)
+    {
+      std::vector<Edge> edges;
+      for (const auto& [target, edge] : row)
+      {
+        edges.push_back(edge);
+      }
+      std::sort(
+        edges.begin(), edges.end(), [](const Edge& a, const Edge& b) { return a.Angle < b.Angle; });
+      for (const Edge& edge : edges)
+      {
+        this->Targets.push_back(edge.Target);
+        this->Lengths.push_back(edge.Length);
+        this->Angles.push_back(edge.Angle);
+        this->ArrivalAngles.push_back(edge.Arrival);
+      }
+      this->Offsets.push_back(static_cast<dgg::Offset>(this->Targets.size()));
+    }
+  }
+
+  dgg::GraphView View() const
+  {
+    dgg::GraphView view;
+    view.NumberOfVertices = static_cast<Id>(this->Offsets.size()) - 1;
+    view.Offsets = this->Offsets.data();
+    view.Targets = this->Targets.data();
+    view.Lengths = this->Lengths.data();
+    view.Angles = this->Angles.data();
+    view.ArrivalAngles = this->ArrivalAngles.data();
+    return view;
+  }
+
+private:
+  std::vector<dgg::Offset> Offsets{ 0 };
+  std::vector<Id> Targets;
+  std::vector<float> Lengths;
+  std::vector<float> Angles;
+  std::vector<float> ArrivalAngles;
+};
 
 /// Returns distances of a search over fans, which are used here for rows of any length.
 std::vector<double> DistancesOverFans(const SearchCase& c, const std::vector<GraphSeed>& seeds,
@@ -64,6 +136,41 @@ TEST(GraphSearch, MethodsAgree)
       dgg::SearchEffort effort;
       ExpectSameDistances(expected, DistancesOverFans(*c, seeds, dgg::Infinity, effort),
         c->GetName() + ", over fans");
+    }
+  }
+}
+
+/// Fans leave many labels too large in graphs with random lengths and angles, which have many paths
+/// of equal length. The certification repairs all of them, also after new seeds.
+TEST(GraphSearch, CertifiesRandomGraphs)
+{
+  constexpr Id n = 60;
+  for (unsigned int trial = 0; trial < 400; ++trial)
+  {
+    const RandomGraph random(n, 12, trial);
+    const dgg::GraphView graph = random.View();
+    const dgg::GraphFans fans(graph, std::vector<dgg::VertexAngle>(n, { 6.2831853f, 0.0f }), 0.8);
+    const std::vector<GraphSeed> seeds{ SeedAt(static_cast<Id>(trial % n), 2.0) };
+    const std::vector<GraphSeed> more{ SeedAt(static_cast<Id>(7 * trial % n)) };
+    std::vector<GraphSeed> all = seeds;
+    all.push_back(more.front());
+    SearchResult result;
+    std::vector<dgg::LabelOrigin> origins;
+    dgg::SearchLabels labels(result.Distances, origins, result.Reached, dgg::Infinity);
+    labels.Start(n, seeds);
+    dgg::BucketQueue queue;
+    dgg::SearchEffort effort;
+    EXPECT_TRUE(dgg::RunBucketSearch(graph, &fans, seeds, 3.0, nullptr, queue, labels, effort));
+    ASSERT_EQ(result.Distances, ReferenceDistances(graph, seeds)) << trial;
+    std::vector<Id> touched;
+    EXPECT_TRUE(dgg::LowerLabels(graph, &fans, more, 3.0, nullptr, queue, labels, touched));
+    ASSERT_EQ(result.Distances, ReferenceDistances(graph, all)) << trial;
+    for (Id v = 0; v < n; ++v)
+    {
+      const dgg::LabelOrigin& origin = origins[v];
+      ASSERT_TRUE(origin.IsSeed() ||
+        result.Distances[origin.Tail] + graph.Length(origin.Edge) == result.Distances[v])
+        << trial;
     }
   }
 }

@@ -15,6 +15,7 @@ constexpr std::size_t ProgressInterval = 16384;
 /// Number of queue entries by which vertices, and their edges, are prefetched.
 constexpr std::size_t VertexLookahead = 12;
 constexpr std::size_t EdgesLookahead = 6;
+
 template <typename Length>
 bool RunNearestFirst(const GraphView& graph, const Length* lengths,
   const ProgressCallback& progress, MinimumHeap& heap, SearchLabels& labels, SearchEffort& effort)
@@ -46,9 +47,9 @@ bool RunNearestFirst(const GraphView& graph, const Length* lengths,
         labels.Origins[t] = { e, v, -1.0f };
         heap.Push(distance, t);
       }
-      else if (distance == distances[t])
+      else if (distance == distances[t] && labels.IsPreferred(t, v))
       {
-        labels.Offer(t, { e, v, -1.0f });
+        labels.Origins[t] = { e, v, -1.0f };
       }
     }
   }
@@ -279,9 +280,10 @@ private:
         origins[t] = { e, v, OverFans ? this->Graph.ArrivalAngles[e] : -1.0f };
         this->Queue.Push(distance, t);
       }
-      else if (!OverFans && distance == distances[t])
+      else if (!OverFans && distance == distances[t] && this->Labels.IsPreferred(t, v))
       {
-        this->Labels.Offer(t, { e, v, -1.0f });
+        this->RemoveChild(t);
+        origins[t] = { e, v, -1.0f };
       }
     };
     if (OverFans)
@@ -324,7 +326,8 @@ private:
     this->Children = nullptr;
   }
 
-  /// Counts the children of vertices in the tree. Returns the vertices, each once.
+  /// Counts the children of vertices in the tree whose labels are those of their paths. Returns the
+  /// vertices, each once.
   std::vector<Id> CountChildren(const std::vector<Id>& vertices)
   {
     std::vector<Id>& children = this->Queue.Children;
@@ -342,8 +345,10 @@ private:
     }
     for (const Id v : once)
     {
+      // The label of a tail may have dropped since.
       const LabelOrigin& origin = this->Labels.Origins[v];
-      if (!origin.IsSeed())
+      const std::vector<double>& distances = this->Labels.Distances;
+      if (!origin.IsSeed() && distances[v] == distances[origin.Tail] + this->Lengths[origin.Edge])
       {
         ++children[origin.Tail];
       }
@@ -352,7 +357,7 @@ private:
     return once;
   }
 
-  /// Called before the label of a vertex is lowered.
+  /// Called before the label of a vertex is lowered or its tail is replaced.
   void RemoveChild(Id v)
   {
     if (this->Children && this->Labels.Distances[v] < Infinity && !this->Labels.Origins[v].IsSeed())

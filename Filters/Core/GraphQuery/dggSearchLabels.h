@@ -74,7 +74,7 @@ struct SearchLabels
   /// these vertices.
   std::vector<Id>& Touched;
   double Limit; ///< smallest number above the radius of the search
-  /// Numbers that order the vertices where paths are equally long. Null: the vertices.
+  /// Ids that decide between paths of equal length. Null: the vertices.
   const Offset* Ids = nullptr;
   /// Targets. The search may stop when the labels of these vertices are final, and leave all
   /// farther vertices unreached. Null: all vertices are searched.
@@ -122,17 +122,15 @@ struct SearchLabels
     this->Distances[v] = distance;
   }
 
-  /// Offers a vertex another path of the length of its label. Among the paths to a vertex that are
-  /// equally long, a seed comes first, then the path with the smallest tail. The tree then depends
-  /// neither on the order of the search nor on the method.
-  void Offer(Id v, const LabelOrigin& origin)
+  /// Returns true if a path of the length of the label of v, over this tail, replaces the present
+  /// path. Among equally long paths to a vertex, a seed comes first, then the path with the
+  /// smallest tail. The tree then depends neither on the order of a search from seeds nor on its
+  /// method.
+  bool IsPreferred(Id v, Id tail) const
   {
-    LabelOrigin& present = this->Origins[v];
-    if (!present.IsSeed() && this->Distances[origin.Tail] < this->Distances[v] &&
-      (this->Ids ? this->Ids[origin.Tail] < this->Ids[present.Tail] : origin.Tail < present.Tail))
-    {
-      present = origin;
-    }
+    const LabelOrigin& present = this->Origins[v];
+    return !present.IsSeed() && this->Distances[tail] < this->Distances[v] &&
+      (this->Ids ? this->Ids[tail] < this->Ids[present.Tail] : tail < present.Tail);
   }
 
   /// Enters the i-th seed. Returns false if the label of the vertex is not lowered.
