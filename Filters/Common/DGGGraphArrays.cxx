@@ -223,7 +223,7 @@ bool DGGGraphArrays::Find(
   this->Arrays = MakeEntries(data);
   if (this->Arrays != Entries())
   {
-    const dgg::Status status = this->Graph.Read(this->ViewArrays(), mesh, context.Parallel);
+    const dgg::Status status = this->Graph.Read(ViewArrays(this->Arrays), mesh, context.Parallel);
     this->IsGraph = status.IsOk();
     this->Time.Modified();
     complaint = status.GetProblem();
@@ -243,24 +243,24 @@ bool DGGGraphArrays::FindPiece(vtkFieldData* data, vtkIdType numberOfPoints,
     return this->IsGraph;
   }
   this->Clear();
-  this->Arrays = entries;
   if (entries != Entries())
   {
-    const dgg::Status status = this->Graph.ReadPiece(this->ViewArrays(), numberOfPoints, parallel);
+    const dgg::Status status = this->Graph.ReadPiece(ViewArrays(entries), numberOfPoints, parallel);
     this->IsGraph = status.IsOk();
     this->Time.Modified();
     complaint = status.GetProblem();
   }
+  this->Arrays = entries; // last, so that an exception leaves the arrays unchecked
   return this->IsGraph;
 }
 
 //------------------------------------------------------------------------------
-StoredGraph::Arrays DGGGraphArrays::ViewArrays() const
+StoredGraph::Arrays DGGGraphArrays::ViewArrays(const Entries& entries)
 {
   StoredGraph::Arrays arrays;
   for (int role = 0; role < StoredGraph::NumberOfRoles; ++role)
   {
-    arrays[role] = DGGViewArray(this->Arrays[role].Array);
+    arrays[role] = DGGViewArray(entries[role].Array);
   }
   return arrays;
 }

@@ -106,7 +106,7 @@ private:
 
   void AdoptArrays(
     dgg::PieceGraph& piece, dgg::Buffer<double>& radii, const dgg::TaskContext& context);
-  dgg::StoredGraph::Arrays ViewArrays() const;
+  static dgg::StoredGraph::Arrays ViewArrays(const Entries& entries);
   static Entry MakeEntry(vtkAbstractArray* array);
   static Entries MakeEntries(vtkFieldData* data);
 

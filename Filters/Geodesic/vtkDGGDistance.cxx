@@ -13,8 +13,10 @@
 #include "dggSourceCollection.h"
 
 #include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
 
 #include <memory>
+#include <utility>
 
 vtkStandardNewMacro(vtkDGGDistance);
 
@@ -26,9 +28,12 @@ public:
   using DGGGraphInternalsOf::DGGGraphInternalsOf;
 
   dgg::Status ComputeDistances(const DGGContext& context, dgg::DistanceTask& task) override;
-  dgg::Status ComputePiece(const DGGContext& context, const DGGPieceUpdate& update,
-    const dgg::SourceCollection& sources, const dgg::DistanceRequest& request,
-    dgg::DistanceOutput& results, bool& isDone) override;
+  bool CanDistribute() const override
+  {
+    return !this->Self->GetGenerateVirtualSource() && !this->Self->GetPassSourceArrays();
+  }
+  dgg::Status ExecutePiece(
+    const DGGContext& context, const DGGPieceUpdate& update, bool& isDone) override;
   std::vector<dgg::VertexArray> DeclareArrays() const override;
   std::string GetMemoryRemedy() const override
   {
@@ -36,12 +41,18 @@ public:
   }
 
 private:
-  dgg::Status PreparePiece(
-    dgg::ProcessGroup& group, const dgg::SurfacePiece& piece, bool hasPositions, bool& isDone);
+  /// Searches in the graph of a piece.
+  struct PieceSearches
+  {
+    dgg::PieceSearch Search;
+    std::unique_ptr<dgg::PieceLinks> Links; // null unless positions were found
+    DGGGraphArrays::Key Key;                // of the graph
+  };
 
-  std::unique_ptr<dgg::PieceSearch> PieceSearch; // in the graph with PieceKey
-  std::unique_ptr<dgg::PieceLinks> PieceLinks;   // null unless positions were found
-  DGGGraphArrays::Key PieceKey;
+  dgg::Status PreparePiece(const DGGPieceUpdate& update, bool hasPositions,
+    std::unique_ptr<PieceSearches>& searches, bool& isDone) const;
+
+  std::unique_ptr<PieceSearches> Searches; // of the last update; null after a failure
 };
 
 vtkDGGInternalsMacro(vtkDGGDistance);
@@ -92,69 +103,95 @@ dgg::Status vtkDGGDistance::vtkInternals::ComputeDistances(
 {
   const dgg::SearchMethod methods[] = { dgg::SearchMethod::Certified,
     dgg::SearchMethod::LabelCorrecting, dgg::SearchMethod::Dijkstra };
-  this->PieceSearch.reset();
-  this->PieceLinks.reset();
+  this->Searches.reset();
   DGG_RETURN_IF_ERROR(this->GraphUser.Update(context, this->Self));
   return dgg::FindGraphDistances(
     context, this->GraphUser, methods[this->Self->Search], this->Self->Correction, task);
 }
 
 //------------------------------------------------------------------------------
-dgg::Status vtkDGGDistance::vtkInternals::ComputePiece(const DGGContext& context,
-  const DGGPieceUpdate& update, const dgg::SourceCollection& sources,
-  const dgg::DistanceRequest& request, dgg::DistanceOutput& results, bool& isDone)
+dgg::Status vtkDGGDistance::vtkInternals::ExecutePiece(
+  const DGGContext& context, const DGGPieceUpdate& update, bool& isDone)
 {
   dgg::ProcessGroup& group = update.Group;
-  DGG_RETURN_IF_ERROR(
-    this->GraphUser.UpdatePiece(context, group, update.Piece, this->Self, isDone));
+  std::unique_ptr<PieceSearches> searches = std::move(this->Searches); // kept after success only
+  dgg::SourceCollection sources;
+  DGG_RETURN_IF_ERROR(this->CollectFromAll(update, sources, isDone));
+  if (isDone)
+  {
+    DGG_RETURN_IF_ERROR(
+      this->GraphUser.UpdatePiece(context, group, update.Piece, this->Self, isDone));
+  }
   if (!isDone)
   {
     return dgg::Status::Success();
   }
   DGG_RETURN_IF_ERROR(
-    this->PreparePiece(group, update.Piece, sources.GetNumberOfPositions() > 0, isDone));
+    this->PreparePiece(update, sources.GetNumberOfPositions() > 0, searches, isDone));
   if (!isDone)
   {
-    this->PieceSearch.reset();
+    this->GraphUser.RefusePiece();
     return dgg::Status::Success();
   }
-  dgg::PieceDistanceOptions options;
-  options.Tolerance = this->Self->GetProjectionTolerance();
-  options.Correct = this->Self->Correction;
-  options.Accuracy = this->GraphUser.GetSummary().Info.Accuracy;
-  if (!(options.Accuracy > 0.0))
+  struct
   {
-    options.Accuracy = this->Self->GetAccuracy();
+    dgg::PieceDistanceOptions Options;
+    double MaximumDistance;
+    bool WantNearestSource;
+  } first;
+  dgg::DistanceRequest request = this->MakeRequest();
+  const double accuracy = this->GraphUser.GetPiece().GetView().Info.Accuracy;
+  first.Options.Tolerance = this->Self->GetProjectionTolerance();
+  first.Options.Accuracy = accuracy > 0.0 ? accuracy : this->Self->GetAccuracy();
+  first.Options.Correct = this->Self->Correction;
+  first.MaximumDistance = request.MaximumDistance;
+  first.WantNearestSource = request.WantNearestSource;
+  DGG_RETURN_IF_ERROR(group.TakeFromFirst(first));
+  request.MaximumDistance = first.MaximumDistance;
+  request.WantNearestSource = first.WantNearestSource;
+  dgg::DistanceOutput results;
+  DGG_RETURN_IF_ERROR(dgg::FindPieceDistances(group, searches->Search, searches->Links.get(),
+    sources, first.Options, request, context.Progress, results, isDone));
+  if (!isDone)
+  {
+    return dgg::Status::Success();
   }
-  DGG_RETURN_IF_ERROR(group.TakeFromFirst(options));
-  return dgg::FindPieceDistances(group, *this->PieceSearch, this->PieceLinks.get(), sources,
-    options, request, context.Progress, results);
+  this->GraphUser.UsePiece(this->Self);
+  this->Searches = std::move(searches);
+  this->Warn(results.Warnings);
+  vtkPolyData* output = vtkPolyData::GetData(update.Outputs);
+  output->ShallowCopy(context.Input);
+  this->AddResults(results, output);
+  return dgg::Status::Success();
 }
 
 //------------------------------------------------------------------------------
-/// Prepares searches in the graph of the piece, from positions as well if there are any. Ids of
-/// sources must number the points.
-dgg::Status vtkDGGDistance::vtkInternals::PreparePiece(
-  dgg::ProcessGroup& group, const dgg::SurfacePiece& piece, bool hasPositions, bool& isDone)
+/// Prepares searches in the graph of the piece, from positions as well if there are any, unless
+/// this was done before. Ids of sources must number the points.
+dgg::Status vtkDGGDistance::vtkInternals::PreparePiece(const DGGPieceUpdate& update,
+  bool hasPositions, std::unique_ptr<PieceSearches>& searches, bool& isDone) const
 {
-  const DGGGraphArrays& graph = *this->GraphUser.GetPiece();
-  bool isPrepared = this->PieceSearch && this->PieceKey == graph.GetKey();
-  DGG_RETURN_IF_ERROR(group.Require(isPrepared));
+  const DGGGraphArrays& graph = this->GraphUser.GetPiece();
+  bool isPrepared = searches && searches->Key == graph.GetKey();
+  DGG_RETURN_IF_ERROR(update.Group.Require(isPrepared));
   if (!isPrepared)
   {
-    this->PieceLinks.reset();
-    this->PieceSearch = std::make_unique<dgg::PieceSearch>();
-    this->PieceKey = graph.GetKey();
-    DGG_RETURN_IF_ERROR(this->PieceSearch->Prepare(
-      group, piece, graph.GetView(), graph.GetGraph().GetGhosts(), isDone));
-    isDone = isDone && this->PieceSearch->HasConsecutiveIds();
+    searches = std::make_unique<PieceSearches>();
+    searches->Key = graph.GetKey();
+    DGG_RETURN_IF_ERROR(searches->Search.Prepare(
+      update.Group, update.Piece, graph.GetView(), graph.GetGraph().GetGhosts(), isDone));
+    isDone = isDone && searches->Search.HasConsecutiveIds();
   }
-  bool canLink = this->PieceLinks != nullptr;
-  DGG_RETURN_IF_ERROR(group.Require(canLink));
-  if (hasPositions && !canLink && isDone)
+  if (!hasPositions || !isDone)
   {
-    this->PieceLinks = std::make_unique<dgg::PieceLinks>();
-    DGG_RETURN_IF_ERROR(this->PieceLinks->Prepare(group, piece, isDone));
+    return dgg::Status::Success();
+  }
+  bool canLink = searches->Links != nullptr;
+  DGG_RETURN_IF_ERROR(update.Group.Require(canLink));
+  if (!canLink)
+  {
+    searches->Links = std::make_unique<dgg::PieceLinks>();
+    DGG_RETURN_IF_ERROR(searches->Links->Prepare(update.Group, update.Piece, isDone));
   }
   return dgg::Status::Success();
 }

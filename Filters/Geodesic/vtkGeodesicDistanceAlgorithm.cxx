@@ -205,45 +205,6 @@ dgg::Status DGGDistanceInternals::Execute(
 }
 
 //------------------------------------------------------------------------------
-bool DGGDistanceInternals::CanDistribute() const
-{
-  return !this->Filter->GenerateVirtualSource && !this->Filter->PassSourceArrays;
-}
-
-//------------------------------------------------------------------------------
-dgg::Status DGGDistanceInternals::ExecutePiece(
-  const DGGContext& context, const DGGPieceUpdate& update, bool& isDone)
-{
-  dgg::SourceCollection sources;
-  DGG_RETURN_IF_ERROR(this->CollectFromAll(update, sources, isDone));
-  if (!isDone)
-  {
-    return dgg::Status::Success();
-  }
-  dgg::DistanceRequest request = this->MakeRequest();
-  struct
-  {
-    double MaximumDistance;
-    bool WantNearestSource;
-  } first{ request.MaximumDistance, request.WantNearestSource };
-  DGG_RETURN_IF_ERROR(update.Group.TakeFromFirst(first));
-  request.MaximumDistance = first.MaximumDistance;
-  request.WantNearestSource = first.WantNearestSource;
-  dgg::DistanceOutput results;
-  DGG_RETURN_IF_ERROR(this->ComputePiece(context, update, sources, request, results, isDone));
-  if (isDone)
-  {
-    this->Warn(results.Warnings);
-    vtkPolyData* output = vtkPolyData::GetData(update.Outputs);
-    output->ShallowCopy(context.Input);
-    this->AddResults(results, output);
-  }
-  return dgg::Status::Success();
-}
-
-//------------------------------------------------------------------------------
-/// Collects the ids of the first process, and the points that all processes have at port 1.
-/// `areUsable` becomes false if arrays identify points by ids of the joined surface.
 dgg::Status DGGDistanceInternals::CollectFromAll(
   const DGGPieceUpdate& update, dgg::SourceCollection& sources, bool& areUsable) const
 {
@@ -268,16 +229,6 @@ dgg::Status DGGDistanceInternals::CollectFromAll(
   DGG_RETURN_IF_ERROR(group.TakeListFromFirst(sources.InitialDistances));
   areUsable = sources.OriginalIds.empty() && (sources.Cells.empty() || sources.Barycentric.empty());
   return group.Require(areUsable);
-}
-
-//------------------------------------------------------------------------------
-dgg::Status DGGDistanceInternals::ComputePiece(const DGGContext& vtkNotUsed(context),
-  const DGGPieceUpdate& vtkNotUsed(update), const dgg::SourceCollection& vtkNotUsed(sources),
-  const dgg::DistanceRequest& vtkNotUsed(request), dgg::DistanceOutput& vtkNotUsed(results),
-  bool& isDone)
-{
-  isDone = false;
-  return dgg::Status::Success();
 }
 
 //------------------------------------------------------------------------------

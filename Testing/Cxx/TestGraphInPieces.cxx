@@ -547,6 +547,82 @@ TEST_F(PieceGraph, OfPieceWithoutFieldData)
 }
 
 //------------------------------------------------------------------------------
+/// An update after a failure or an abort gives the distances of one process, and getters describe
+/// the last update.
+TEST_F(PieceGraph, DistancesAfterFailures)
+{
+  const auto search = [](auto* filter) {
+    filter->SetAccuracy(0.05);
+    filter->SetSourceData(MakeSources());
+  };
+  const auto alone = Alone<vtkDGGDistance>(this->Surface, search);
+  vtkNew<vtkDGGDistance> distance;
+  distance->SetInputData(this->TakeStrip(this->Surface, PartIds::Global));
+  search(distance.Get());
+  const auto expectDistances = [&] {
+    this->Update(distance);
+    EXPECT_EQ(this->Sum(distance->GetNumberOfGraphEdges()), alone->GetNumberOfGraphEdges());
+    ExpectArray(distance->GetOutput(), alone->GetOutput(), "GeodesicDistance", 0.0);
+  };
+  const bool isLast = this->Here == this->Count - 1;
+  const Listener listener(distance);
+  distance->SetMemoryLimit(isLast ? 1000 : 0);
+  this->Update(distance);
+  EXPECT_EQ(listener.Errors.size(), 1u);
+  EXPECT_EQ(distance->GetNumberOfGraphEdges(), 0);
+  distance->SetMemoryLimit(0);
+  distance->Modified();
+  expectDistances();
+  ProgressWatch watch(distance);
+  for (const double stopAt : { 0.3, 0.6, 0.75, 0.9 })
+  {
+    watch.StopAt = isLast ? stopAt : 2.0;
+    distance->Modified();
+    this->Update(distance);
+    EXPECT_EQ(distance->GetOutput()->GetNumberOfPoints(), 0) << stopAt;
+    watch.StopAt = 2.0;
+    expectDistances();
+  }
+  distance->PassSourceArraysOn(); // gathers
+  this->Update(distance);
+  EXPECT_EQ(
+    distance->GetNumberOfGraphEdges(), this->IsFirst() ? alone->GetNumberOfGraphEdges() : 0);
+  EXPECT_EQ(listener.Errors.size(), 1u);
+}
+
+//------------------------------------------------------------------------------
+/// Ids of sources are numbers of points, whatever global ids the points have. Offsets may be so
+/// large that lengths are lost.
+TEST_F(PieceGraph, IdsAndOffsetsOfSources)
+{
+  const auto search = [](auto* filter) {
+    filter->SetAccuracy(0.05);
+    filter->SetSourceIds({ 0, 77 }, { 0.1, 0.0 });
+  };
+  const auto alone = Alone<vtkDGGDistance>(this->Surface, search);
+  using Rule = vtkIdType (*)(vtkIdType);
+  for (const Rule rule : { Rule([](vtkIdType id) { return id + 1; }),
+         Rule([](vtkIdType id) { return 2 * id; }), Rule([](vtkIdType id) { return id - 5; }) })
+  {
+    const auto piece = this->TakeStrip(this->Surface, PartIds::Global);
+    auto* ids = vtkIdTypeArray::SafeDownCast(piece->GetPointData()->GetGlobalIds());
+    for (vtkIdType i = 0; i < ids->GetNumberOfTuples(); ++i)
+    {
+      ids->SetValue(i, rule(ids->GetValue(i)));
+    }
+    const auto distance = this->Together<vtkDGGDistance>(piece, search);
+    ExpectArray(distance->GetOutput(), alone->GetOutput(), "GeodesicDistance", 0.0);
+  }
+  const auto far = [&](auto* filter) {
+    search(filter);
+    filter->SetSourceIds({ 0, 77 }, { 1e17, 1e17 });
+  };
+  ExpectArray(this->Together<vtkDGGDistance>(this->TakeStrip(this->Surface, PartIds::Global), far)
+                ->GetOutput(),
+    Alone<vtkDGGDistance>(this->Surface, far)->GetOutput(), "GeodesicDistance", 0.0);
+}
+
+//------------------------------------------------------------------------------
 /// If properties differ, those of the first process count. A graph is not kept for another piece.
 TEST_F(PieceGraph, PropertiesAndPiecesThatDiffer)
 {

@@ -19,7 +19,7 @@ def find_class(name):
     """Returns a class by its name. Readers and writers exist as compiled classes only."""
     problem = _problem()
     if not problem and name in build_info.CLASSES:
-        with contextlib.suppress(ImportError):  # there is no MPI here, or VTK was built without it
+        with contextlib.suppress(ModuleNotFoundError):  # VTK was built without MPI
             importlib.import_module("._parallel", __package__)
         module = importlib.import_module(f".{build_info.CLASSES[name]}", __package__)
         return getattr(module, name)

@@ -79,18 +79,15 @@ void AppendTo(std::vector<T>& all, const std::vector<T>& more)
 Status SurfaceRegion::Start(ProcessGroup& group, const SurfacePiece& piece, bool& isUsable)
 {
   *this = SurfaceRegion();
-  this->Piece = &piece;
   this->Here = group.Here;
-  isUsable = IsValid(piece) && this->AddPiece();
+  isUsable = IsValid(piece) && this->AddPiece(piece);
   DGG_RETURN_IF_ERROR(group.Require(isUsable));
   if (!isUsable)
   {
     return Status::Success();
   }
-  this->IsSent.assign(static_cast<std::size_t>(group.Count),
-    std::vector<bool>(static_cast<std::size_t>(piece.Cells[Polygons].NumberOfCells)));
-  this->IsPointSent.assign(static_cast<std::size_t>(group.Count),
-    std::vector<bool>(static_cast<std::size_t>(piece.NumberOfPoints)));
+  this->IsSent.resize(static_cast<std::size_t>(group.Count));
+  this->IsPointSent.resize(static_cast<std::size_t>(group.Count));
   DGG_RETURN_IF_ERROR(this->FindHolders(group, isUsable));
   for (Id point = 0; point < this->GetNumberOfPoints(); ++point)
   {
@@ -100,22 +97,22 @@ Status SurfaceRegion::Start(ProcessGroup& group, const SurfacePiece& piece, bool
 }
 
 /// Adds the points and polygons of the piece. Returns false if two points have the same id.
-bool SurfaceRegion::AddPiece()
+bool SurfaceRegion::AddPiece(const SurfacePiece& piece)
 {
-  for (Offset i = 0; i < this->Piece->NumberOfPoints; ++i)
+  for (Offset i = 0; i < piece.NumberOfPoints; ++i)
   {
-    if (this->AddPoint(this->Piece->PointIds[i], this->Piece->Points + 3 * i, {}) != i)
+    if (this->AddPoint(piece.PointIds[i], piece.Points + 3 * i, {}) != i)
     {
       return false;
     }
   }
-  const CellArrays& polygons = this->Piece->Cells[Polygons];
-  const Offset first = this->Piece->Cells[0].NumberOfCells + this->Piece->Cells[1].NumberOfCells;
+  const CellArrays& polygons = piece.Cells[Polygons];
+  const Offset first = piece.Cells[0].NumberOfCells + piece.Cells[1].NumberOfCells;
   std::vector<Id> cellOfCorners;
   for (Offset i = 0; i < polygons.NumberOfCells; ++i)
   {
     const auto size = static_cast<std::size_t>(polygons.End(i) - polygons.Begin(i));
-    this->Cells.push_back({ this->Piece->CellIds[first + i], this->Corners.size(), size });
+    this->Cells.push_back({ piece.CellIds[first + i], this->Corners.size(), size });
     this->Corners.insert(this->Corners.end(), polygons.Begin(i), polygons.End(i));
     cellOfCorners.insert(cellOfCorners.end(), size, static_cast<Id>(i));
   }
@@ -298,7 +295,12 @@ void SurfaceRegion::Answer(
   std::vector<Offset> corners;
   std::vector<Offset> pointIds;
   std::vector<double> positions;
-  std::vector<int> holders; // their number, then they
+  std::vector<int> holders; // their number, then the processes
+  if (!requested.empty())
+  {
+    this->IsSent[process].resize(this->NumberOfOwnCells);
+    this->IsPointSent[process].resize(this->CellsOfPoints.Begins.size());
+  }
   for (const Offset id : requested)
   {
     const Id point = this->Points.at(id);
@@ -375,12 +377,15 @@ void SurfaceRegion::AddCells(const Message& message, int here)
 double SurfaceRegion::GetMemorySize() const
 {
   const auto points = static_cast<double>(this->PointIds.capacity());
-  const auto bits = static_cast<double>(
-    this->IsSent.size() * (this->NumberOfOwnCells + this->CellsOfPoints.Begins.size()) / 8);
+  double bits = 0.0;
+  for (std::size_t process = 0; process < this->IsSent.size(); ++process)
+  {
+    bits += static_cast<double>(this->IsSent[process].size() + this->IsPointSent[process].size());
+  }
   return BytesOfPoint * points + static_cast<double>(this->Cells.capacity() * sizeof(Cell)) +
     static_cast<double>(sizeof(Id) *
       (this->Corners.capacity() + this->CellsOfPoints.Members.size() + this->Rim.capacity())) +
-    bits;
+    bits / 8.0;
 }
 
 std::vector<Id> SurfaceRegion::GetOrder() const

@@ -48,9 +48,9 @@ struct RegionMesh
 class DGG_CORE_EXPORT SurfaceRegion
 {
 public:
-  /// Starts with a piece without ghosts, which must outlive the region. `isUsable` becomes false
-  /// on all processes if the pieces must be gathered: if a global id is missing or occurs twice, if
-  /// the copies of a point differ, or if a piece has strips or is not valid.
+  /// Starts with a piece without ghosts. `isUsable` becomes false on all processes if the pieces
+  /// must be gathered: if a global id is missing or occurs twice, if the copies of a point differ,
+  /// or if a piece has strips or is not valid.
   Status Start(ProcessGroup& group, const SurfacePiece& piece, bool& isUsable);
 
   /// Adds layers of cells. Processes that need none only send theirs. `inUse` are the bytes that
@@ -88,14 +88,13 @@ private:
     std::size_t Size;
   };
 
-  bool AddPiece();
+  bool AddPiece(const SurfacePiece& piece);
   Status FindHolders(ProcessGroup& group, bool& isUnique);
   Id AddPoint(Offset globalId, const double* position, std::vector<int> holders);
   void AddToRim(Id point, int here);
   void Answer(std::size_t process, const std::vector<Offset>& requested, Message& answer);
   void AddCells(const Message& message, int here);
 
-  const SurfacePiece* Piece = nullptr;
   int Here = 0; // this process
   std::vector<Offset> PointIds;
   std::vector<double> Positions;

@@ -17,14 +17,16 @@ namespace dgg
 {
 Status FindPieceDistances(ProcessGroup& group, PieceSearch& search, PieceLinks* links,
   const SourceCollection& sources, const PieceDistanceOptions& options,
-  const DistanceRequest& request, const ProgressCallback& progress, DistanceOutput& output)
+  const DistanceRequest& request, const ProgressCallback& progress, DistanceOutput& output,
+  bool& isDone)
 {
   DGG_RETURN_IF_ERROR(sources.Check(search.GetNumberOfPoints()));
   std::vector<PieceSeed> seeds;
   for (std::size_t i = 0; i < sources.Ids.size(); ++i)
   {
     const double offset = sources.GetInitialDistanceOfId(i);
-    seeds.push_back({ sources.Ids[i], { NoId, offset, offset, static_cast<Id>(i), -1.0 } });
+    seeds.push_back(
+      { search.GetFirstId() + sources.Ids[i], { NoId, offset, offset, static_cast<Id>(i), -1.0 } });
   }
   std::vector<std::size_t> isolated;
   DGG_RETURN_IF_ERROR(search.FindIsolated(group, seeds, isolated));
@@ -45,7 +47,11 @@ Status FindPieceDistances(ProcessGroup& group, PieceSearch& search, PieceLinks* 
   wanted.FindSources = request.WantNearestSource;
   wanted.Progress = progress;
   PieceDistances found;
-  DGG_RETURN_IF_ERROR(search.Run(group, seeds, wanted, found));
+  DGG_RETURN_IF_ERROR(search.Run(group, seeds, wanted, found, isDone));
+  if (!isDone)
+  {
+    return Status::Success();
+  }
   DistanceResults results;
   results.MaximumDistance = request.MaximumDistance;
   results.Arrays = request.Arrays;

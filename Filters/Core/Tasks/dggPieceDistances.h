@@ -28,10 +28,12 @@ struct PieceDistanceOptions
 /// Computes distances together with the other processes, and adds them as arrays of the points of
 /// the piece. Arrays of the request receive the lengths of paths, which are upper bounds. `links`
 /// may be null if the collection has no positions. Collection, options and request must be the same
-/// on all processes. Virtual sources and sources of points are not available.
+/// on all processes. Virtual sources and sources of points are not available. `isDone` becomes
+/// false on all processes for the reasons of PieceSearch::Run().
 DGG_CORE_EXPORT Status FindPieceDistances(ProcessGroup& group, PieceSearch& search,
   PieceLinks* links, const SourceCollection& sources, const PieceDistanceOptions& options,
-  const DistanceRequest& request, const ProgressCallback& progress, DistanceOutput& output);
+  const DistanceRequest& request, const ProgressCallback& progress, DistanceOutput& output,
+  bool& isDone);
 }
 
 #endif

@@ -382,9 +382,17 @@ Signature SumSignatures(const std::vector<Signature>& pieces)
 
 Status ShareOptions(ProcessGroup& group, GraphOptions& options)
 {
-  DGG_RETURN_IF_ERROR(group.TakeFromFirst(options.Construction));
-  DGG_RETURN_IF_ERROR(group.TakeFromFirst(options.Accuracy));
-  return group.TakeFromFirst(options.NumberOfNeighbors);
+  struct
+  {
+    GraphConstruction Construction;
+    double Accuracy;
+    Id NumberOfNeighbors;
+  } first{ options.Construction, options.Accuracy, options.NumberOfNeighbors };
+  DGG_RETURN_IF_ERROR(group.TakeFromFirst(first));
+  options.Construction = first.Construction;
+  options.Accuracy = first.Accuracy;
+  options.NumberOfNeighbors = first.NumberOfNeighbors;
+  return Status::Success();
 }
 
 Status BuildPieceGraph(const TaskContext& context, ProcessGroup& group, const SurfacePiece& piece,

@@ -48,8 +48,8 @@ Status PieceLinks::Prepare(ProcessGroup& group, const SurfacePiece& piece, bool&
   {
     return Status::Success();
   }
-  this->Layers = FirstLayers;
-  DGG_RETURN_IF_ERROR(this->Region.Grow(group, this->Layers, true, 0.0));
+  this->NextLayers = FirstLayers;
+  DGG_RETURN_IF_ERROR(this->Region.Grow(group, this->NextLayers, true, 0.0));
   return this->MakeMesh(group);
 }
 
@@ -63,10 +63,10 @@ Status PieceLinks::MakeMesh(ProcessGroup& group)
   const double* const positions = this->Mesh.Positions.data();
   std::vector<Box> boxes;
   DGG_RETURN_IF_ERROR(group.Share(SurfaceLocator::MeasureBox(mesh, positions), boxes));
-  this->Whole = Box();
+  this->SurfaceBox = Box();
   for (const Box& box : boxes)
   {
-    this->Whole.Add(box);
+    this->SurfaceBox.Add(box);
   }
   this->PointIds.clear();
   for (const Id point : this->Region.GetOrder())
@@ -75,7 +75,7 @@ Status PieceLinks::MakeMesh(ProcessGroup& group)
   }
   if (mesh.GetNumberOfFaces() > 0)
   {
-    this->ClosestPoints = std::make_unique<const SurfaceLocator>(mesh, positions, this->Whole);
+    this->ClosestPoints = std::make_unique<const SurfaceLocator>(mesh, positions, this->SurfaceBox);
     GraphRegion region;
     region.IsRim = this->Mesh.IsRim;
     region.PointIds = this->PointIds;
@@ -102,8 +102,8 @@ Status PieceLinks::Find(ProcessGroup& group, const SourceCollection& sources, do
     {
       break;
     }
-    DGG_RETURN_IF_ERROR(this->Region.Grow(group, this->Layers, isNeeded, 0.0));
-    this->Layers *= 2;
+    DGG_RETURN_IF_ERROR(this->Region.Grow(group, this->NextLayers, isNeeded, 0.0));
+    this->NextLayers *= 2;
     DGG_RETURN_IF_ERROR(this->MakeMesh(group));
   }
   std::vector<std::vector<PositionLink>> lists;
@@ -146,23 +146,32 @@ Status PieceLinks::ChooseHere(ProcessGroup& group, const SourceCollection& sourc
   }
   std::vector<std::vector<Candidate>> all;
   DGG_RETURN_IF_ERROR(group.ShareList(candidates, all));
+  const double diagonal = this->SurfaceBox.GetDiagonal();
+  std::size_t firstFar = count; // of the positions here that are too far away
+  double farDistance = 0.0;
   for (std::size_t i = 0; i < count; ++i)
   {
     const auto best = std::min_element(
       all.begin(), all.end(), [&](const auto& a, const auto& b) { return a[i] < b[i]; });
-    const double distance = (*best)[i].Distance;
-    const double diagonal = this->Whole.GetDiagonal();
     if (best - all.begin() != group.Here)
     {
       continue;
     }
     here.push_back(i);
-    if (!this->ClosestPoints || !this->ClosestPoints->IsClose({}, distance, tolerance * diagonal))
+    const double distance = (*best)[i].Distance;
+    const bool isClose =
+      this->ClosestPoints && this->ClosestPoints->IsClose({}, distance, tolerance * diagonal);
+    if (!isClose && firstFar == count)
     {
-      return sources.RefuseDistant(i, distance, tolerance, diagonal);
+      firstFar = i;
+      farDistance = distance;
     }
   }
-  return Status::Success();
+  std::vector<std::size_t> far;
+  DGG_RETURN_IF_ERROR(group.Share(firstFar, far));
+  return firstFar < count && firstFar == *std::min_element(far.begin(), far.end())
+    ? sources.RefuseDistant(firstFar, farDistance, tolerance, diagonal)
+    : Status::Success();
 }
 
 /// Links positions, and removes those whose links are complete.

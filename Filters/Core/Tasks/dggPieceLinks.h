@@ -30,7 +30,7 @@ public:
   Status Prepare(ProcessGroup& group, const SurfacePiece& piece, bool& isUsable);
 
   /// Appends the seeds of the positions of a collection, which is the same on all processes and has
-  /// no arrays that identify points. Fails as SourceCollection::Locate().
+  /// no arrays that identify points. Fails under the conditions of SourceCollection::Locate().
   Status Find(ProcessGroup& group, const SourceCollection& sources, double tolerance,
     double accuracy, std::vector<PieceSeed>& seeds);
 
@@ -51,10 +51,10 @@ private:
     std::vector<PositionLink>& links) const;
 
   SurfaceRegion Region;
-  int Layers = 0;
+  int NextLayers = 0; // of the next growth
   RegionMesh Mesh;
   std::vector<Offset> PointIds; // per vertex of the mesh
-  Box Whole;                    // of the entire surface
+  Box SurfaceBox;               // bounding box of the entire surface
   ///@{
   // Null without faces.
   std::unique_ptr<const SurfaceLocator> ClosestPoints;

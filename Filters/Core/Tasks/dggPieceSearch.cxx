@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <limits>
 #include <numeric>
 #include <utility>
 
@@ -18,13 +19,16 @@ namespace
 {
 /// Progress weight of finding labels if the tree is followed as well.
 constexpr double LabelShare = 0.7;
+/// Bytes per vertex of ids, labels, fans, arrivals and results.
+constexpr std::size_t BytesOfVertex = 160;
 
-/// What a process contributes to the numbers of the whole graph.
-struct PartNumbers
+/// Contribution of a process to the size of the entire graph.
+struct GraphSize
 {
   Offset Points = 0;
   Offset Edges = 0;
-  Offset LargestId = NoId;
+  Offset SmallestId = std::numeric_limits<Offset>::max();
+  Offset LargestId = std::numeric_limits<Offset>::min();
 };
 
 /// A value of the k-th vertex that two processes share.
@@ -89,7 +93,7 @@ Status PieceSearch::Prepare(ProcessGroup& group, const SurfacePiece& piece, cons
   return isUsable ? this->MeasureAngles(group, piece, isUsable) : Status::Success();
 }
 
-/// Finds the processes that have vertices of this process as well.
+/// Finds the processes that have vertices of this process as ghosts or shared points.
 Status PieceSearch::FindReaders(ProcessGroup& group, const SurfacePiece& piece, bool& isUsable)
 {
   this->Ids.assign(piece.PointIds, piece.PointIds + piece.NumberOfPoints);
@@ -163,29 +167,32 @@ Status PieceSearch::MeasureAngles(ProcessGroup& group, const SurfacePiece& piece
   {
     this->Fans = std::make_unique<const GraphFans>(this->Graph, angles, deviation);
   }
+  // The mean length decides a scale, which does not affect the results.
   this->Correction = std::make_unique<const LabelCorrection>(
     this->Graph, std::move(angles), deviation, mesh.Mesh.GetMeanEdgeLength());
   return Status::Success();
 }
 
-/// Counts the points and edges of the whole graph.
+/// Counts the points and edges of the entire graph.
 Status PieceSearch::CountPoints(ProcessGroup& group, Offset& edges)
 {
-  PartNumbers here;
+  GraphSize here;
   for (Id v = 0; v < this->Graph.NumberOfVertices; ++v)
   {
     if (this->IsHere(v))
     {
       ++here.Points;
       here.Edges += this->Graph.Offsets[v + 1] - this->Graph.Offsets[v];
+      here.SmallestId = std::min(here.SmallestId, this->Ids[v]);
       here.LargestId = std::max(here.LargestId, this->Ids[v]);
     }
   }
-  std::vector<PartNumbers> parts;
+  std::vector<GraphSize> parts;
   DGG_RETURN_IF_ERROR(group.Share(here, parts));
-  for (const PartNumbers& part : parts)
+  for (const GraphSize& part : parts)
   {
     this->NumberOfPoints += part.Points;
+    this->SmallestId = std::min(this->SmallestId, part.SmallestId);
     this->LargestId = std::max(this->LargestId, part.LargestId);
     edges += part.Edges;
   }
@@ -193,10 +200,11 @@ Status PieceSearch::CountPoints(ProcessGroup& group, Offset& edges)
 }
 
 Status PieceSearch::Run(ProcessGroup& group, const std::vector<PieceSeed>& seeds,
-  const PieceSearchOptions& options, PieceDistances& result)
+  const PieceSearchOptions& options, PieceDistances& result, bool& isUsable)
 {
   result = PieceDistances();
-  std::vector<GraphSeed> here; // at vertices that are known here
+  isUsable = true;
+  std::vector<GraphSeed> here; // at vertices of this part of the graph
   for (const PieceSeed& seed : seeds)
   {
     const Id v = this->FindVertex(seed.PointId);
@@ -218,8 +226,12 @@ Status PieceSearch::Run(ProcessGroup& group, const std::vector<PieceSeed>& seeds
     smallestOffset = std::min(smallestOffset, LabelCorrection::OffsetOf(seed.Seed));
   }
   std::vector<Arrival> arrivals;
-  DGG_RETURN_IF_ERROR(this->FollowTree(
-    group, here, smallestOffset, ProgressPart(options.Progress, LabelShare, 1.0), arrivals));
+  DGG_RETURN_IF_ERROR(this->FollowTree(group, here, smallestOffset,
+    ProgressPart(options.Progress, LabelShare, 1.0), arrivals, isUsable));
+  if (!isUsable)
+  {
+    return Status::Success();
+  }
   for (Id i = 0; i < this->PointsHere; ++i)
   {
     const Arrival& arrival = arrivals[i];
@@ -257,12 +269,17 @@ Status PieceSearch::FindIsolated(ProcessGroup& group, const std::vector<PieceSee
   return Status::Success();
 }
 
-/// Returns the vertex with a global id; NoId if it is not known here.
+/// Returns the vertex with a global id; NoId if it is not in this part of the graph.
 Id PieceSearch::FindVertex(Offset id) const
 {
   const auto found = std::lower_bound(this->ById.begin(), this->ById.end(), id,
     [this](Id v, Offset wanted) { return this->Ids[v] < wanted; });
   return found != this->ById.end() && this->Ids[*found] == id ? *found : NoId;
+}
+
+double PieceSearch::GetMemorySize() const
+{
+  return static_cast<double>(BytesOfVertex) * static_cast<double>(this->Ids.size());
 }
 
 /// Finds the labels of all vertices, and the tree of the vertices of this process.
@@ -272,10 +289,10 @@ Status PieceSearch::FindLabels(
   SearchLabels labels(this->Distances, this->Origins, this->Touched, options.MaximumDistance);
   labels.Ids = this->Ids.data();
   const bool isTreeFollowed = options.Correct || options.FindSources;
-  const ProgressCallback whole =
+  const ProgressCallback searchProgress =
     ProgressPart(options.Progress, 0.0, isTreeFollowed ? LabelShare : 1.0);
   const ProgressCallback progress = [&](double) {
-    return ShouldContinue(whole,
+    return ShouldContinue(searchProgress,
       static_cast<double>(this->Touched.size()) / std::max<Id>(1, this->Graph.NumberOfVertices));
   };
   for (std::vector<double>& sent : this->LastSent)
@@ -292,7 +309,7 @@ Status PieceSearch::FindLabels(
     }
     DGG_RETURN_IF_ERROR(ReportTo(progress, 0.0));
     this->CollectLowered(messages);
-    DGG_RETURN_IF_ERROR(group.Exchange(messages, 0.0, &isOver));
+    DGG_RETURN_IF_ERROR(group.Exchange(messages, this->GetMemorySize(), &isOver));
   }
   return Status::Success();
 }
@@ -352,7 +369,7 @@ std::vector<GraphSeed> PieceSearch::ReadLowered(const std::vector<Message>& mess
   return lowered;
 }
 
-/// Vertices of this process by their tails, and what is left to do.
+/// Tree of the vertices of this process, and the arrivals that are missing.
 struct PieceSearch::Tree
 {
   Groups Children;                      // of all vertices
@@ -370,7 +387,8 @@ struct PieceSearch::Tree
 /// Computes the arrivals at the vertices of this process, and at the other points of the piece. The
 /// tree crosses pieces: arrivals are sent to the processes that need them as they become known.
 Status PieceSearch::FollowTree(ProcessGroup& group, const std::vector<GraphSeed>& seeds,
-  double smallestOffset, const ProgressCallback& progress, std::vector<Arrival>& arrivals)
+  double smallestOffset, const ProgressCallback& progress, std::vector<Arrival>& arrivals,
+  bool& isUsable)
 {
   Tree tree;
   std::vector<std::vector<Id>> needed(this->Received.size()); // indices into Received
@@ -380,6 +398,7 @@ Status PieceSearch::FollowTree(ProcessGroup& group, const std::vector<GraphSeed>
   tree.Children = MakeGroups(n, n, [&](Id v) {
     return isReachedHere(v) && !this->Origins[v].IsSeed() ? this->Origins[v].Tail : NoId;
   });
+  isUsable = true;
   for (Id v = 0; v < n; ++v)
   {
     tree.NumberLeft += isReachedHere(v) ? 1 : 0;
@@ -387,6 +406,16 @@ Status PieceSearch::FollowTree(ProcessGroup& group, const std::vector<GraphSeed>
     {
       tree.Ready.push_back(v);
     }
+    else if (isReachedHere(v))
+    {
+      // Otherwise tails could form a cycle.
+      isUsable = isUsable && this->Distances[this->Origins[v].Tail] < this->Distances[v];
+    }
+  }
+  DGG_RETURN_IF_ERROR(group.Require(isUsable));
+  if (!isUsable)
+  {
+    return Status::Success();
   }
   for (std::size_t process = 0; process < needed.size(); ++process)
   {
@@ -403,19 +432,20 @@ Status PieceSearch::FollowTree(ProcessGroup& group, const std::vector<GraphSeed>
   DGG_RETURN_IF_ERROR(ExchangeLists(group, needed));
   tree.Pending = std::move(needed);
   std::vector<Message> messages;
+  const auto total = static_cast<double>(std::max<std::size_t>(1, tree.NumberLeft));
   for (bool isOver = false; !isOver;)
   {
     this->Descend(seeds, smallestOffset, tree, arrivals);
-    DGG_RETURN_IF_ERROR(ReportTo(progress, 0.0));
+    DGG_RETURN_IF_ERROR(ReportTo(progress, 1.0 - static_cast<double>(tree.NumberLeft) / total));
     this->CollectArrivals(arrivals, tree, messages);
-    DGG_RETURN_IF_ERROR(group.Exchange(messages, 0.0, &isOver));
+    DGG_RETURN_IF_ERROR(group.Exchange(messages, this->GetMemorySize(), &isOver));
     this->ReadArrivals(messages, tree, arrivals);
   }
   bool isComplete = tree.NumberLeft == 0;
   DGG_RETURN_IF_ERROR(group.Require(isComplete));
-  return isComplete
-    ? Status::Success()
-    : Status(Status::Code::DamagedGraph, "The pieces of a graph do not belong together");
+  return isComplete ? Status::Success()
+                    : Status(Status::Code::DamagedGraph, "The pieces do not form one graph")
+                        .Fix("Compute the graph again on these processes");
 }
 
 /// Enters the arrivals in messages.

@@ -16,6 +16,7 @@
 #include "dggSurfacePieces.h"   // for the piece
 
 #include <cstddef> // for std::size_t
+#include <limits>  // for ids
 #include <memory>  // for the correction
 #include <vector>  // for the results
 
@@ -61,9 +62,10 @@ public:
     const GhostVertices& ghosts, bool& isUsable);
 
   /// Computes distances from the nearest seed. The seeds must be the same on all processes. Seeds
-  /// at points that no process has are ignored.
+  /// at points that no process has are ignored. `isUsable` becomes false on all processes if an
+  /// edge does not lengthen a path because the path is too long.
   Status Run(ProcessGroup& group, const std::vector<PieceSeed>& seeds,
-    const PieceSearchOptions& options, PieceDistances& result);
+    const PieceSearchOptions& options, PieceDistances& result, bool& isUsable);
 
   /// Finds the seeds, by their indices, at points without edges.
   Status FindIsolated(ProcessGroup& group, const std::vector<PieceSeed>& seeds,
@@ -71,8 +73,16 @@ public:
 
   /// Returns the number of points of all pieces.
   Offset GetNumberOfPoints() const { return this->NumberOfPoints; }
-  /// Returns true if the global ids are 0, 1, 2 ...
-  bool HasConsecutiveIds() const { return this->LargestId + 1 == this->NumberOfPoints; }
+  ///@{
+  /// Returns true if the global ids are consecutive numbers, and the first of them.
+  bool HasConsecutiveIds() const
+  {
+    return this->LargestId - this->SmallestId + 1 == this->NumberOfPoints;
+  }
+  Offset GetFirstId() const { return this->SmallestId; }
+  ///@}
+  /// Returns an estimate of the size in bytes during a search.
+  double GetMemorySize() const;
 
 private:
   /// Path to a vertex, and the resulting estimate.
@@ -95,7 +105,7 @@ private:
   void CollectLowered(std::vector<Message>& messages);
   std::vector<GraphSeed> ReadLowered(const std::vector<Message>& messages) const;
   Status FollowTree(ProcessGroup& group, const std::vector<GraphSeed>& seeds, double smallestOffset,
-    const ProgressCallback& progress, std::vector<Arrival>& arrivals);
+    const ProgressCallback& progress, std::vector<Arrival>& arrivals, bool& isUsable);
   void ReadArrivals(
     const std::vector<Message>& messages, Tree& tree, std::vector<Arrival>& arrivals) const;
   void Descend(const std::vector<GraphSeed>& seeds, double smallestOffset, Tree& tree,
@@ -109,7 +119,8 @@ private:
   std::vector<Id> ById;    // vertices in the order of their global ids
   Id PointsHere = 0;       // points of the piece
   Offset NumberOfPoints = 0;
-  Offset LargestId = NoId;
+  Offset SmallestId = std::numeric_limits<Offset>::max();
+  Offset LargestId = std::numeric_limits<Offset>::min();
   double BucketWidth = 0.0;
   ///@{
   // Per process, the vertices that belong to this process and are known there, and the vertices

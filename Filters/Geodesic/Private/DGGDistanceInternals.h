@@ -28,9 +28,6 @@ public:
   dgg::Status CheckProperties() const override;
   dgg::Status Execute(const DGGContext& context, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
-  bool CanDistribute() const override;
-  dgg::Status ExecutePiece(
-    const DGGContext& context, const DGGPieceUpdate& update, bool& isDone) override;
   bool PassesSurface() const override { return true; }
   void MakeEmptyOutput(const DGGContext& context, vtkInformationVector* outputVector) override;
   std::string GetMemoryRemedy() const override
@@ -43,13 +40,6 @@ public:
   /// status of an abort by the progress of the context. May throw.
   virtual dgg::Status ComputeDistances(const DGGContext& context, dgg::DistanceTask& task) = 0;
 
-  /// Adds distances on a piece to the results, together with the other processes; the arguments are
-  /// the same on all of them. `isDone` becomes false on all processes if the pieces must be
-  /// gathered, which is the default.
-  virtual dgg::Status ComputePiece(const DGGContext& context, const DGGPieceUpdate& update,
-    const dgg::SourceCollection& sources, const dgg::DistanceRequest& request,
-    dgg::DistanceOutput& results, bool& isDone);
-
   /// Reports why distances may be far off; an empty text for no reason.
   virtual void ReportQuality(const std::string& warning) { this->WarnAboutQuality(warning); }
 
@@ -57,12 +47,17 @@ public:
   /// Default none.
   virtual std::vector<dgg::VertexArray> DeclareArrays() const { return {}; }
 
-private:
-  DGGSourceSet GetSources(vtkInformationVector** inputVector) const;
+protected:
+  /// Collects the ids of the first process, and the points that all processes have at port 1.
+  /// `areUsable` becomes false on all processes if arrays identify points by ids of the joined
+  /// surface.
   dgg::Status CollectFromAll(
     const DGGPieceUpdate& update, dgg::SourceCollection& sources, bool& areUsable) const;
   dgg::DistanceRequest MakeRequest() const;
   void AddResults(dgg::Output& results, vtkPolyData* output) const;
+
+private:
+  DGGSourceSet GetSources(vtkInformationVector** inputVector) const;
 
   vtkGeodesicDistanceAlgorithm* Filter;
 };

@@ -65,7 +65,6 @@ dgg::Status DGGGraphUser::Update(const DGGContext& context, vtkObject* filter)
   dgg::GraphOptions options;
   options.Accuracy = this->Accuracy;
   DGG_RETURN_IF_ERROR(this->Check());
-  this->UsesPiece = false;
   this->SetLinkAccuracy(this->Accuracy);
   vtkFieldData* data = context.Input->GetFieldData();
   if (this->IsFromInput() && !this->InputGraph.IsSame(data, context.Surface))
@@ -117,21 +116,28 @@ dgg::Status DGGGraphUser::UpdatePiece(const DGGContext& context, dgg::ProcessGro
   options.Accuracy = this->Accuracy;
   std::vector<std::string> warnings;
   DGG_RETURN_IF_ERROR(this->Piece.Update(context, group, piece, options, true, isDone, warnings));
-  this->UsesPiece = isDone;
-  if (!isDone)
-  {
-    return dgg::Status::Success();
-  }
-  this->ForgetGraph();
   for (const std::string& warning : warnings)
   {
     vtkWarningWithObjectMacro(filter, << DGGRender(warning) << ".");
   }
-  if (this->IsFromInput())
+  return dgg::Status::Success();
+}
+
+//------------------------------------------------------------------------------
+void DGGGraphUser::UsePiece(vtkObject* filter)
+{
+  this->ForgetGraph();
+  this->UsesPiece = true;
+  const vtkMTimeType found = this->Piece.IsOnInput() ? this->Piece.Get().GetTime() : 0;
+  if (found != this->PieceTime)
+  {
+    this->PieceTime = found;
+    this->WarnedAccuracy = 0.0;
+  }
+  if (found != 0)
   {
     this->WarnAboutAccuracy(filter);
   }
-  return dgg::Status::Success();
 }
 
 //------------------------------------------------------------------------------

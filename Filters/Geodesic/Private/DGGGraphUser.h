@@ -46,11 +46,15 @@ public:
   dgg::Status Update(const DGGContext& context, vtkObject* filter);
 
   /// Updates the graph of a piece in the same manner, together with the other processes. `isDone`
-  /// becomes false on all processes if the pieces must be gathered.
+  /// becomes false on all processes if the pieces must be gathered. The graph is in use after
+  /// UsePiece(); after RefusePiece(), these pieces are gathered.
   dgg::Status UpdatePiece(const DGGContext& context, dgg::ProcessGroup& group,
     const dgg::SurfacePiece& piece, vtkObject* filter, bool& isDone);
-  /// Returns the graph of the piece; null if the last update was not by UpdatePiece().
-  const DGGGraphArrays* GetPiece() const { return this->UsesPiece ? &this->Piece.Get() : nullptr; }
+  const DGGGraphArrays& GetPiece() const { return this->Piece.Get(); }
+  void UsePiece(vtkObject* filter);
+  void RefusePiece() { this->Piece.Refuse(); }
+  /// Ends the use of a piece, so that getters do not describe it. Called before each update.
+  void LeavePiece() { this->UsesPiece = false; }
 
   ///@{
   /// Values of getters: the properties of the graph, true if it is on the input, true if its
@@ -94,7 +98,8 @@ private:
   double WarnedAccuracy = 0.0; // accuracy in the last warning
   vtkTimeStamp BuildTime;
   DGGPieceGraph Piece;
-  bool UsesPiece = false; // the last update was by UpdatePiece()
+  bool UsesPiece = false;
+  vtkMTimeType PieceTime = 0; // time when the graph of a piece in use was found; 0 if unused
 };
 
 /// Private implementation of filters of one class that search a graph. An input with the graph of a
@@ -109,6 +114,11 @@ public:
   {
     DGG_RETURN_IF_ERROR(this->GraphUser.Check());
     return Base::CheckProperties();
+  }
+  void ForgetResults() override
+  {
+    this->GraphUser.LeavePiece();
+    Base::ForgetResults();
   }
   bool IsCloud(vtkPolyData* input) const override
   {

@@ -23,11 +23,13 @@ dgg::Status DGGPieceGraph::Update(const DGGContext& context, dgg::ProcessGroup& 
   std::vector<dgg::Signature> signatures;
   DGG_RETURN_IF_ERROR(group.Share(ofPiece, signatures));
   const dgg::Signature signature = dgg::SumSignatures(signatures);
+  this->Pieces = signature;
   // The graph of an entire surface is on the first process.
   isDone = this->Refused != signature && !DGGGraphArrays::AreOfEntireSurface(data);
   DGG_RETURN_IF_ERROR(group.Require(isDone));
   if (!isDone)
   {
+    this->Built.Clear();
     return dgg::Status::Success();
   }
   DGG_RETURN_IF_ERROR(dgg::ShareOptions(group, options));
@@ -36,8 +38,12 @@ dgg::Status DGGPieceGraph::Update(const DGGContext& context, dgg::ProcessGroup& 
   if (isFound && this->OnInput.GetView().Info.Surface != signature)
   {
     isFound = false;
-    complaint = "The graph {InArrays} is out of date: points or cells have changed since it was "
-                "built";
+    if (this->WarnedTime != this->OnInput.GetTime())
+    {
+      this->WarnedTime = this->OnInput.GetTime();
+      complaint = "The graph {InArrays} is out of date: points or cells have changed since it was "
+                  "built";
+    }
   }
   if (!complaint.empty())
   {
@@ -51,6 +57,10 @@ dgg::Status DGGPieceGraph::Update(const DGGContext& context, dgg::ProcessGroup& 
   }
   this->IsFound = isFound && dgg::IsBuiltWith(this->OnInput.GetView().Info, wanted);
   DGG_RETURN_IF_ERROR(group.Require(this->IsFound));
+  if (this->IsFound)
+  {
+    this->Built.Clear();
+  }
   const dgg::GraphInfo& built = this->Built.GetView().Info;
   bool isKept = this->Built.IsValid() && this->BuiltPiece == ofPiece &&
     built.Surface == signature && dgg::IsBuiltWith(built, options);
@@ -64,7 +74,7 @@ dgg::Status DGGPieceGraph::Update(const DGGContext& context, dgg::ProcessGroup& 
       dgg::BuildPieceGraph(context, group, piece, options, graph, this->Estimate, defects, isDone));
     if (!isDone)
     {
-      this->Refused = signature;
+      this->Refuse();
       return dgg::Status::Success();
     }
     this->Built.Adopt(graph, context);
@@ -77,6 +87,13 @@ dgg::Status DGGPieceGraph::Update(const DGGContext& context, dgg::ProcessGroup& 
   }
   this->Summarize(piece);
   return dgg::Status::Success();
+}
+
+//------------------------------------------------------------------------------
+void DGGPieceGraph::Refuse()
+{
+  this->Refused = this->Pieces;
+  this->Built.Clear();
 }
 
 //------------------------------------------------------------------------------

@@ -35,6 +35,9 @@ public:
     const dgg::SurfacePiece& piece, dgg::GraphOptions options, bool acceptsAny, bool& isDone,
     std::vector<std::string>& warnings);
 
+  /// Lets Update() gather these pieces from now on. Must be called by all processes.
+  void Refuse();
+
   ///@{
   /// Results of Update().
   bool IsOnInput() const { return this->IsFound; }
@@ -54,7 +57,12 @@ private:
   DGGGraphArrays Built;
   bool IsFound = false;        // OnInput is used
   dgg::Signature BuiltPiece{}; // piece of which Built has rows
-  dgg::Signature Refused{};    // pieces, summed, of which no graph can be built
+  ///@{
+  // Signatures of all pieces: of the last update, and of those that are gathered.
+  dgg::Signature Pieces{};
+  dgg::Signature Refused{};
+  ///@}
+  vtkMTimeType WarnedTime = 0; // of OnInput when a warning called it out of date
   dgg::GraphEstimate Estimate;
   dgg::GraphSummary Summary;
   vtkTimeStamp BuildTime;
