@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggIsolines.h"
 
-#include "dggApolloniusFace.h"
+#include "dggApolloniusParts.h"
 #include "dggEdgeProfile.h"
 #include "dggFaceIsolines.h"
 #include "dggProgressPart.h"

@@ -18,7 +18,7 @@ namespace dgg
 enum class IsolineMethod
 {
   LocalSources, ///< as defined by DistanceField
-  Apollonius    ///< as published, for comparison: dggApolloniusFace.h
+  Apollonius    ///< as published, for comparison: dggApolloniusParts.h
 };
 
 /// Maximum of IsolineOptions::SteinerPoints.
