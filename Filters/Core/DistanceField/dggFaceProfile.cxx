@@ -283,43 +283,6 @@ double FaceProfile::GetLargestRaise() const
   return raise;
 }
 
-bool FaceProfile::MayHavePeak() const
-{
-  // Compare the gradients at the center of the face. If they lie in one half-plane, the distance
-  // increases along the inner normal of the half-plane.
-  const std::array<double, 3> b{ { 1.0 / 3.0, 1.0 / 3.0, 1.0 / 3.0 } };
-  const Point2 middle = this->PlaceOf(b);
-  std::vector<Point2> gradients;
-  for (const SeenWindow& window : this->Windows)
-  {
-    gradients.push_back(FromSource(window.Place, window.Offset, middle).Gradient);
-  }
-  for (const FieldSample& source : this->Sources)
-  {
-    gradients.push_back(FromSource(source.Image, source.Offset, middle).Gradient);
-  }
-  for (int k = 0; k < 3; ++k)
-  {
-    if (this->HasModels)
-    {
-      gradients.push_back(this->SampleOf(this->FromModel(k, middle, b), middle, b).Gradient);
-    }
-    else if (this->Distances[k] <=
-      std::min(this->Distances[(k + 1) % 3], this->Distances[(k + 2) % 3]))
-    {
-      gradients.push_back(this->FromCorner(k, middle).Gradient);
-    }
-  }
-  Point2 sum;
-  for (const Point2& g : gradients)
-  {
-    sum.X += g.X;
-    sum.Y += g.Y;
-  }
-  return !std::all_of(
-    gradients.begin(), gradients.end(), [&](const Point2& g) { return Dot(g, sum) > 0.0; });
-}
-
 FieldSample FaceProfile::SampleAt(const Point2& p) const
 {
   if (this->Field.HasWindows())

@@ -48,10 +48,6 @@ public:
   /// Returns the largest amount by which the model of a corner is raised at another corner.
   double GetLargestRaise() const;
 
-  /// Returns true if the face may contain a local maximum, because wavefronts arrive from all
-  /// sides. The test is conservative: true if in doubt.
-  bool MayHavePeak() const;
-
   /// Returns true if points of the face may have different nearest sources (FieldSample::Source).
   bool MayHaveSeveralSources() const;
 

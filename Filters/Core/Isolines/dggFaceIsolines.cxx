@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggFaceIsolines.h"
 
+#include "dggLevelTurns.h"
+
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -17,14 +19,9 @@ constexpr double CellsPerSeed = 4.0;
 /// Barycentric coordinate below which a source counts as on the boundary.
 constexpr double OnRim = 1e-9;
 /// Barycentric coordinate of the samples close to corners.
-constexpr double NearCorner = 0.8;
-/// Rows of the lattice on which a maximum is sought, and number of points of the lattice.
-constexpr int PeakRows = 4;
-constexpr int PeakSamples = PeakRows * (PeakRows + 1) / 2;
-/// Initial step of the search for a maximum, number of halvings, and number of directions.
-constexpr double FirstStep = 0.1;
-constexpr int StepsOfPeak = 50;
-constexpr int WaysOfPeak = 16;
+constexpr double NearCorner = 0.96;
+/// Maximum recursion depth of the search for maxima.
+constexpr int DeepestPeak = 4;
 
 double LeastOf(const std::array<double, 3>& values)
 {
@@ -147,19 +144,27 @@ void FaceIsolines::FindSeeds()
   {
     this->AddSource(source);
   }
-  std::array<FieldSample, 3> corners;
+  std::array<LevelPoint, 3> corners;
   for (int k = 0; k < 3; ++k)
   {
     std::array<double, 3> b{};
     b.fill(0.5 * (1.0 - NearCorner));
     b[k] = NearCorner;
-    corners[k] = this->Profile.SampleAt(this->Profile.PlaceOf(b));
+    corners[k].Place = this->Profile.PlaceOf(b);
+    corners[k].Sample = this->Profile.SampleAt(corners[k].Place);
     if (this->Field.HasSources())
     {
-      this->AddSource(corners[k]);
+      this->AddSource(corners[k].Sample);
     }
   }
-  this->FindPeak();
+  LevelPoint middle;
+  middle.Place = this->Profile.PlaceOf({ { 1.0 / 3.0, 1.0 / 3.0, 1.0 / 3.0 } });
+  middle.Sample = this->Profile.SampleAt(middle.Place);
+  this->FindPeaks({ { &corners[0], &corners[1], &corners[2] } }, 0);
+  for (int k = 0; k < 3; ++k)
+  {
+    this->FindPeaks({ { &corners[k], &corners[(k + 1) % 3], &middle } }, 0);
+  }
 }
 
 void FaceIsolines::AddSource(const FieldSample& sample)
@@ -186,63 +191,39 @@ void FaceIsolines::AddSource(const FieldSample& sample)
   this->Seeds.push_back({ place, distance, false });
 }
 
-/// Finds the maximum of the face, around which isolines may be closed, unless the maximum is on the
-/// boundary.
-void FaceIsolines::FindPeak()
+/// Finds the maxima between three points, around which isolines may be closed: points at which the
+/// wavefronts of the points meet from all sides. If another wavefront is shorter at such a point,
+/// searches between this point and each two of the others.
+void FaceIsolines::FindPeaks(const std::array<const LevelPoint*, 3>& points, int depth)
 {
-  if (!this->Profile.MayHavePeak())
+  LevelPoint meeting;
+  if (!FindMeeting(points, meeting.Place))
   {
     return;
   }
-  std::array<FieldSample, PeakSamples> samples;
-  std::array<std::array<double, 3>, PeakSamples> places;
-  int count = 0;
-  for (int i = 0; i < PeakRows; ++i)
+  meeting.Sample = this->Profile.SampleAt(meeting.Place);
+  const auto isNearest = [&](const LevelPoint* point) {
+    return point->Sample.Candidate == meeting.Sample.Candidate;
+  };
+  if (std::any_of(points.begin(), points.end(), isNearest))
   {
-    for (int j = 0; i + j < PeakRows; ++j)
+    std::array<Point2, 3> away;
+    for (int k = 0; k < 3; ++k)
     {
-      const int k = PeakRows - 1 - i - j;
-      const double unit = 1.0 / (PeakRows + 1);
-      places[count] = { { (i + 2.0 / 3.0) * unit, (j + 2.0 / 3.0) * unit,
-        (k + 2.0 / 3.0) * unit } };
-      samples[count] = this->Profile.SampleAt(this->Profile.PlaceOf(places[count]));
-      ++count;
+      away[k] = Difference(meeting.Place, points[k]->Sample.Image);
     }
-  }
-  const auto farthest = std::max_element(samples.begin(), samples.end(),
-    [](const FieldSample& a, const FieldSample& b) { return a.Distance < b.Distance; });
-  std::array<double, 3> best = places[farthest - samples.begin()];
-  double value = farthest->Distance;
-  // Between two wavefronts, the ascent runs along a ridge of unknown direction. Therefore all
-  // directions are tried, different ones in each step.
-  double step = FirstStep;
-  for (int i = 0; i < StepsOfPeak; ++i)
-  {
-    const std::array<double, 3> center = best;
-    for (int way = 0; way < WaysOfPeak; ++way)
+    const double turn = Cross(away[0], away[1]);
+    if (turn * Cross(away[1], away[2]) > 0.0 && turn * Cross(away[2], away[0]) > 0.0)
     {
-      const double turn = 2.0 * Pi * (way + 0.618 * i) / WaysOfPeak;
-      std::array<double, 3> b = center;
-      for (int k = 0; k < 3; ++k)
-      {
-        b[k] += step * std::cos(turn + 2.0 * Pi * k / 3.0);
-      }
-      if (LeastOf(b) <= 0.0)
-      {
-        continue;
-      }
-      const double d = this->Profile.At(this->Profile.PlaceOf(b));
-      if (d > value)
-      {
-        value = d;
-        best = b;
-      }
+      this->Seeds.push_back({ meeting.Place, meeting.Sample.Distance, true });
     }
-    step *= best == center ? 0.6 : 1.0;
+    return;
   }
-  if (LeastOf(best) > 1e-3)
+  for (int k = 0; k < 3 && depth < DeepestPeak; ++k)
   {
-    this->Seeds.push_back({ this->Profile.PlaceOf(best), value, true });
+    std::array<const LevelPoint*, 3> part = points;
+    part[k] = &meeting;
+    this->FindPeaks(part, depth + 1);
   }
 }
 

@@ -45,7 +45,7 @@ private:
   bool MayHoldSource(Id f) const;
   void FindSeeds();
   void AddSource(const FieldSample& sample);
-  void FindPeak();
+  void FindPeaks(const std::array<const LevelPoint*, 3>& points, int depth);
   void CollectSeeds(Id level);
   void CollectRim(Id level);
   Id TraceLevel(Id level, std::vector<FaceCurve>& curves);
