@@ -43,8 +43,6 @@ public:
   /// Returns the field of a single candidate of models, even if another candidate is nearer.
   FieldSample SampleOfCandidate(Id candidate, const Point2& p) const;
 
-  /// Returns true if the distance comes from models of the corners.
-  bool IsModelled() const { return this->HasModels; }
   /// Returns the largest amount by which the model of a corner is raised at another corner.
   double GetLargestRaise() const;
 

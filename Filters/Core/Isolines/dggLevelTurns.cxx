@@ -17,6 +17,8 @@ namespace
 constexpr int MostDepth = 12;
 /// Bisection steps for the point where two wavefronts tie.
 constexpr int StepsOfTie = 40;
+/// Bisection steps of the search for a ridge between samples without images.
+constexpr int StepsOfCrest = 16;
 /// Relative distance from an end below which points coincide with the end.
 constexpr double AtEnd = 1e-7;
 
@@ -100,14 +102,47 @@ private:
   double Length;
   std::vector<LevelPoint> Points;
 };
+
+/// Appends a point above the level between two points below the level, if the distance rises from
+/// both. The gradient may be undefined at a corner of the face.
+void FindCrest(const LevelArc& arc, double level, const LevelPoint& from, const LevelPoint& to,
+  std::vector<LevelPoint>& turns)
+{
+  Point2 begin = from.Place;
+  Point2 end = to.Place;
+  const Point2 way = Difference(end, begin);
+  if (!(Dot(from.Sample.Gradient, way) >= 0.0 && Dot(to.Sample.Gradient, way) <= 0.0 &&
+        0.5 * (from.Sample.Distance + to.Sample.Distance + Norm(way.X, way.Y)) > level))
+  {
+    return;
+  }
+  for (int step = 0; step < StepsOfCrest; ++step)
+  {
+    const Point2 middle{ 0.5 * (begin.X + end.X), 0.5 * (begin.Y + end.Y) };
+    const LevelPoint point = arc.Evaluate(middle);
+    if (point.Sample.Distance >= level)
+    {
+      turns.push_back(point);
+      return;
+    }
+    (Dot(point.Sample.Gradient, way) > 0.0 ? begin : end) = middle;
+  }
+}
 }
 
 void FindTurns(const LevelArc& arc, double level, const LevelEnd& from, const LevelEnd& to,
   std::vector<LevelPoint>& turns)
 {
-  if (!from.Point.Sample.HasImage || !to.Point.Sample.HasImage ||
-    !(Distance(from.Point.Place, to.Point.Place) > 0.0))
+  if (!(Distance(from.Point.Place, to.Point.Place) > 0.0))
   {
+    return;
+  }
+  if (!from.Point.Sample.HasImage || !to.Point.Sample.HasImage)
+  {
+    if (!from.IsAbove && !to.IsAbove)
+    {
+      FindCrest(arc, level, from.Point, to.Point, turns);
+    }
     return;
   }
   const Line line(arc, level, from.Point, to.Point);

@@ -21,8 +21,8 @@ struct LevelEnd
 };
 
 /// Appends points on the straight line between two points, in order, so that the level is crossed
-/// at most once between neighbors. The points are the minima and the ties of wavefronts. No point
-/// is appended if the ends suffice.
+/// at most once between neighbors. The points are the minima and the ties of wavefronts; between
+/// points without images, one point on the ridge. No point is appended if the ends suffice.
 void FindTurns(const LevelArc& arc, double level, const LevelEnd& from, const LevelEnd& to,
   std::vector<LevelPoint>& turns);
 

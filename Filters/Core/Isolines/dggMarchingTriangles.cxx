@@ -10,11 +10,6 @@ namespace dgg
 {
 namespace
 {
-/// Bisection steps of the search for a ridge on a side.
-constexpr int StepsOfCrest = 16;
-/// Steps of the search for the lowest point of a ridge. Each step reduces the interval to two
-/// thirds.
-constexpr int StepsOfDip = 12;
 /// Distance below which a point is on a side of a triangle, relative to the largest part of the
 /// triangle.
 constexpr double OnSide = 1e-12;
@@ -55,11 +50,7 @@ void MarchingTriangles::Build(const FaceProfile& profile, const LevelArc& arc, d
   {
     this->InsertSeed(arc, level, seed);
   }
-  if (!profile.IsModelled()) // models may be discontinuous
-  {
-    this->AddTurns(arc, level);
-  }
-  this->AddCrests(arc, level);
+  this->AddTurns(arc, level);
   this->March();
   this->Follow(arc);
 }
@@ -338,171 +329,6 @@ bool MarchingTriangles::CutAtMeeting(const LevelArc& arc, double level, std::siz
   this->Triangles.push_back({ { triangle[1], triangle[2], node } });
   this->Triangles.push_back({ { triangle[2], triangle[0], node } });
   return true;
-}
-
-/// Divides triangles whose sides a ridge crosses, so that the narrow strip above the level along
-/// the ridge is not missed between nodes. If the ridge crosses two sides of a triangle, the new
-/// nodes are connected.
-void MarchingTriangles::AddCrests(const LevelArc& arc, double level)
-{
-  this->Crests.clear();
-  const std::size_t count = this->Triangles.size();
-  for (std::size_t t = 0; t < count; ++t)
-  {
-    Triangle triangle = this->Triangles[t];
-    std::array<Id, 3> crests{};
-    int found = 0;
-    for (int k = 0; k < 3; ++k)
-    {
-      crests[k] = this->FindCrest(arc, level, triangle[k], triangle[(k + 1) % 3]);
-      found += crests[k] != NoId ? 1 : 0;
-    }
-    if (found == 0)
-    {
-      continue;
-    }
-    // Rotate the triangle so that the first side is the undivided one of three, or the only divided
-    // one.
-    while (found == 3 ? false : (crests[0] != NoId) != (found == 1))
-    {
-      std::rotate(triangle.begin(), triangle.begin() + 1, triangle.end());
-      std::rotate(crests.begin(), crests.begin() + 1, crests.end());
-    }
-    const Id a = triangle[0];
-    const Id b = triangle[1];
-    const Id c = triangle[2];
-    const Id first = found == 1 ? crests[0] : crests[1];
-    const Id second = found == 1 ? c : crests[2];
-    const Id dip =
-      found < 3 && this->Nodes[second].IsAbove ? this->FindDip(arc, level, first, second) : NoId;
-    if (dip != NoId)
-    {
-      this->Polygon =
-        found == 1 ? std::vector<Id>{ a, first, b, c } : std::vector<Id>{ a, b, first, c, second };
-      this->Triangles[t] = { { this->Polygon.back(), this->Polygon.front(), dip } };
-      for (std::size_t i = 1; i < this->Polygon.size(); ++i)
-      {
-        this->Triangles.push_back({ { this->Polygon[i - 1], this->Polygon[i], dip } });
-      }
-      continue;
-    }
-    if (found == 1)
-    {
-      this->Triangles[t] = { { a, crests[0], c } };
-      this->Triangles.push_back({ { crests[0], b, c } });
-      continue;
-    }
-    this->Triangles[t] = { { crests[1], c, crests[2] } };
-    if (found == 2)
-    {
-      this->Triangles.push_back({ { a, b, crests[1] } });
-      this->Triangles.push_back({ { a, crests[1], crests[2] } });
-      continue;
-    }
-    this->Triangles.push_back({ { a, crests[0], crests[2] } });
-    this->Triangles.push_back({ { crests[0], b, crests[1] } });
-    this->Triangles.push_back({ { crests[0], crests[1], crests[2] } });
-  }
-}
-
-/// Returns a node above the level between two nodes below the level, if the distance rises from
-/// both nodes; otherwise NoId.
-Id MarchingTriangles::FindCrest(const LevelArc& arc, double level, Id a, Id b)
-{
-  if (this->Nodes[a].IsAbove || this->Nodes[b].IsAbove)
-  {
-    return NoId;
-  }
-  const Id low = std::min(a, b);
-  const Id high = std::max(a, b);
-  for (Id i = this->Nodes[low].LastCrest; i != NoId; i = this->Crests[i].Before)
-  {
-    if (this->Crests[i].High == high)
-    {
-      return this->Crests[i].Node;
-    }
-  }
-  Point2 begin = this->Nodes[low].Point.Place;
-  Point2 end = this->Nodes[high].Point.Place;
-  const Point2 way = Difference(end, begin);
-  const FieldSample& atBegin = this->Nodes[low].Point.Sample;
-  const FieldSample& atEnd = this->Nodes[high].Point.Sample;
-  Id found = NoId;
-  // The gradient may be undefined at a corner of the face.
-  if (Dot(atBegin.Gradient, way) >= 0.0 && Dot(atEnd.Gradient, way) <= 0.0 &&
-    0.5 * (atBegin.Distance + atEnd.Distance + Norm(way.X, way.Y)) > level &&
-    !this->IsOnRim(low, high))
-  {
-    for (int step = 0; step < StepsOfCrest && found == NoId; ++step)
-    {
-      const Point2 middle{ 0.5 * (begin.X + end.X), 0.5 * (begin.Y + end.Y) };
-      const LevelPoint point = arc.Evaluate(middle);
-      if (point.Sample.Distance >= level)
-      {
-        this->Nodes.emplace_back();
-        this->Nodes.back().Point = point;
-        this->Nodes.back().IsAbove = true;
-        found = static_cast<Id>(this->Nodes.size()) - 1;
-      }
-      (Dot(point.Sample.Gradient, way) > 0.0 ? begin : end) = middle;
-    }
-  }
-  this->Crests.push_back({ high, this->Nodes[low].LastCrest, found });
-  this->Nodes[low].LastCrest = static_cast<Id>(this->Crests.size()) - 1;
-  return found;
-}
-
-/// Returns a node below the level on the ridge between two nodes above the level, if the ridge
-/// falls below the level; otherwise NoId. Along the ridge of two wavefronts the distance falls,
-/// then rises. A point below the level shows that the two wavefronts have met, and that the strip
-/// is interrupted.
-Id MarchingTriangles::FindDip(const LevelArc& arc, double level, Id a, Id b)
-{
-  const Point2 begin = this->Nodes[a].Point.Place;
-  const Point2 way = Difference(this->Nodes[b].Point.Place, begin);
-  const Point2 side{ -way.Y, way.X };
-  // Samples the ridge beside the straight line, within the face; in an elongated face the boundary
-  // is near.
-  const auto look = [&](double t) {
-    const Point2 base{ begin.X + t * way.X, begin.Y + t * way.Y };
-    double left = -0.5;
-    double right = 0.5;
-    LevelPoint best = arc.Evaluate(base);
-    double x = 0.0;
-    bool isRising = Dot(best.Sample.Gradient, side) > 0.0;
-    for (int step = 0; step < StepsOfCrest; ++step)
-    {
-      (isRising ? left : right) = x;
-      x = 0.5 * (left + right);
-      const Point2 place{ base.X + x * side.X, base.Y + x * side.Y };
-      if (!arc.IsInside(place))
-      {
-        isRising = x < 0.0;
-        continue;
-      }
-      const LevelPoint point = arc.Evaluate(place);
-      best = point.Sample.Distance > best.Sample.Distance ? point : best;
-      isRising = Dot(point.Sample.Gradient, side) > 0.0;
-    }
-    return best;
-  };
-  double from = 0.0;
-  double to = 1.0;
-  for (int step = 0; step < StepsOfDip; ++step)
-  {
-    const double third = (to - from) / 3.0;
-    const LevelPoint one = look(from + third);
-    const LevelPoint two = look(to - third);
-    const LevelPoint& lower = one.Sample.Distance < two.Sample.Distance ? one : two;
-    if (lower.Sample.Distance < level)
-    {
-      this->Nodes.emplace_back();
-      this->Nodes.back().Point = lower;
-      return static_cast<Id>(this->Nodes.size()) - 1;
-    }
-    (&lower == &one ? to : from) = &lower == &one ? to - third : from + third;
-  }
-  return NoId;
 }
 
 /// Returns true if the side between two nodes lies on the boundary, on which the crossings decide.

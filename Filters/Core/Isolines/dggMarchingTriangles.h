@@ -41,11 +41,10 @@ struct LevelChain
 };
 
 /// Marching triangles on a fine triangulation of one face. The triangulation has nodes between any
-/// two crossings on the boundary, and on ridges above the level. With windows, the triangulation
-/// also has nodes at the points on sides of its triangles where wavefronts are lowest or meet. The
-/// side of the level of a node is decided by the crossings if the node lies on the boundary, and by
-/// the field if it lies inside. Thus every crossing belongs to exactly one curve, and curves do not
-/// intersect, for any field.
+/// two crossings on the boundary, and at the points on sides of its triangles where wavefronts are
+/// lowest or meet. The side of the level of a node is decided by the crossings if the node lies on
+/// the boundary, and by the field if it lies inside. Thus every crossing belongs to exactly one
+/// curve, and curves do not intersect, for any field.
 class MarchingTriangles
 {
 public:
@@ -63,9 +62,7 @@ private:
     LevelPoint Point;
     bool IsAbove = false;
     std::array<bool, 3> IsOnSide{ { false, false, false } }; // per side of the face
-    // Heads of the lists of links and crests whose lower node is this node.
-    Id LastLink = NoId;
-    Id LastCrest = NoId;
+    Id LastLink = NoId; // head of the list of links whose lower node is this node
   };
   /// A side of the triangulation that the isoline crosses.
   struct Link
@@ -90,9 +87,6 @@ private:
   void AddTurns(const LevelArc& arc, double level);
   bool CutAtTurns(const LevelArc& arc, double level, Id a, Id b);
   bool CutAtMeeting(const LevelArc& arc, double level, std::size_t t);
-  void AddCrests(const LevelArc& arc, double level);
-  Id FindCrest(const LevelArc& arc, double level, Id a, Id b);
-  Id FindDip(const LevelArc& arc, double level, Id a, Id b);
   bool IsOnRim(Id a, Id b) const;
   Id AddLink(Id low, Id high);
   Id FindLink(Id a, Id b);
@@ -100,17 +94,7 @@ private:
   void Follow(const LevelArc& arc);
   void FollowFrom(const LevelArc& arc, Id link);
 
-  /// A side of the triangulation that a ridge crosses above the level, although both ends are
-  /// below.
-  struct Crest
-  {
-    Id High;   // upper node; the lower node stores the list
-    Id Before; // previous crest of the same lower node
-    Id Node;   // node on the ridge, or NoId
-  };
-
   std::vector<Node> Nodes;
-  std::vector<Crest> Crests;
   std::vector<Link> Links;
   std::vector<Triangle> Triangles;
   std::array<std::vector<Id>, 3> RimNodes; // nodes at the division points of each side
