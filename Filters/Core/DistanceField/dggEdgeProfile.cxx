@@ -148,55 +148,21 @@ void EdgeProfile::CollectThroughFace(Id h)
   }
 }
 
-/// Divides the edge at the ends of windows, at the feet of their images, and at ties. Between ends
-/// and feet each distance is monotone, so that the minimum rises, falls, or rises up to a tie and
-/// falls beyond the tie.
+/// Divides the edge so that between two breaks a single window or source, or the path along the
+/// edge from a single end, is the shortest and monotone.
 void EdgeProfile::FindWindowBreaks()
-{
-  std::vector<double>& breaks = this->Breaks;
-  auto add = [&](double x) {
-    if (x > 0.0 && x < this->Length)
-    {
-      breaks.push_back(x);
-    }
-  };
-  for (const Piece& piece : this->Pieces)
-  {
-    add(piece.Begin);
-    add(piece.End);
-    if (piece.Image.X > piece.Begin && piece.Image.X < piece.End)
-    {
-      add(piece.Image.X);
-    }
-  }
-  add(0.5 * (this->Length + this->Ends[1] - this->Ends[0])); // tie of the paths along the edge
-  breaks.push_back(0.0);
-  breaks.push_back(this->Length);
-  std::sort(breaks.begin(), breaks.end());
-  breaks.erase(std::unique(breaks.begin(), breaks.end()), breaks.end());
-  for (std::size_t i = breaks.size() - 1; i > 0; --i)
-  {
-    double peak;
-    if (this->FindPeak(breaks[i - 1], breaks[i], peak))
-    {
-      breaks.insert(breaks.begin() + static_cast<std::ptrdiff_t>(i), peak);
-    }
-  }
-}
-
-void EdgeProfile::FindChanges(std::vector<double>& changes) const
 {
   const std::vector<Piece> paths{ { 0.0, this->Length, {}, this->Ends[0], 0.0 },
     { 0.0, this->Length, { this->Length, 0.0 }, this->Ends[1], 0.0 } };
   std::vector<double> ends{ 0.0, this->Length };
   for (const Piece& piece : this->Pieces)
   {
-    ends.push_back(piece.Begin);
-    ends.push_back(piece.End);
+    ends.push_back(std::max(0.0, piece.Begin));
+    ends.push_back(std::min(this->Length, piece.End));
   }
   std::sort(ends.begin(), ends.end());
   ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
-  changes.insert(changes.end(), ends.begin(), ends.end());
+  this->Breaks = ends;
   for (std::size_t i = 1; i < ends.size(); ++i)
   {
     std::vector<Piece> pieces = paths;
@@ -204,8 +170,17 @@ void EdgeProfile::FindChanges(std::vector<double>& changes) const
       [&](const Piece& piece) { return piece.Begin <= ends[i - 1] && piece.End >= ends[i]; });
     std::vector<double> inside;
     this->Divide(pieces, ends[i - 1], ends[i], inside);
-    changes.insert(changes.end(), inside.begin(), inside.end());
+    this->Breaks.insert(this->Breaks.end(), inside.begin(), inside.end());
   }
+  for (const Piece& piece : this->Pieces)
+  {
+    if (piece.Image.X > piece.Begin && piece.Image.X < piece.End)
+    {
+      this->Breaks.push_back(piece.Image.X);
+    }
+  }
+  std::sort(this->Breaks.begin(), this->Breaks.end());
+  this->Breaks.erase(std::unique(this->Breaks.begin(), this->Breaks.end()), this->Breaks.end());
 }
 
 double EdgeProfile::DistanceOf(const Piece& piece, double x) const
@@ -261,37 +236,6 @@ void EdgeProfile::Divide(
     this->Divide(pieces, begin, change, changes);
     this->Divide(pieces, change, end, changes);
   }
-}
-
-/// Returns, at an abscissa between two adjacent breaks, the smallest of the distances that rise
-/// between these breaks minus the smallest of the falling distances.
-double EdgeProfile::ExcessOfRising(double begin, double end, double x) const
-{
-  double rising = this->Ends[0] + x;
-  double falling = this->Ends[1] + (this->Length - x);
-  for (const Piece& piece : this->Pieces)
-  {
-    if (piece.Begin <= begin && piece.End >= end)
-    {
-      double& least = piece.Image.X <= begin ? rising : falling;
-      least = std::min(least, piece.Offset + DistanceToAxis(piece.Image, x));
-    }
-  }
-  return rising - falling;
-}
-
-/// Finds the abscissa where a rising and a falling distance tie, because a ridge crosses the edge.
-/// Returns false if no such tie exists.
-bool EdgeProfile::FindPeak(double begin, double end, double& peak) const
-{
-  if (!(this->ExcessOfRising(begin, end, begin) < 0.0) ||
-    !(this->ExcessOfRising(begin, end, end) > 0.0))
-  {
-    return false;
-  }
-  peak = Bisect(begin, end, 0.0, MaximumSteps - 1,
-    [&](double x) { return this->ExcessOfRising(begin, end, x) < 0.0; });
-  return peak > begin && peak < end;
 }
 
 /// Sets up the reached faces of the edge, through which wavefronts arrive.

@@ -41,7 +41,8 @@ public:
   double At(double x) const;
 
   /// Returns abscissae from 0 to the length that separate the extrema of the distance. With
-  /// windows, no extremum lies between consecutive abscissae, up to rounding. Without windows,
+  /// windows, a single one is nearest between consecutive abscissae, and no extremum lies between
+  /// them, up to rounding. Without windows,
   /// rarely more than one extremum lies between them; FindCrossings() searches for such extrema
   /// when necessary.
   const std::vector<double>& GetBreaks() const { return this->Breaks; }
@@ -49,10 +50,6 @@ public:
   /// Appends the abscissae, in increasing order, at which the distance crosses `level` (points at
   /// the level count as above). The number of crossings is even iff both ends are on the same side.
   void FindCrossings(double level, std::vector<double>& crossings);
-
-  /// Appends abscissae between which a single window or source, or the path along the edge from a
-  /// single end, is the shortest; in no order, with both ends of the edge. Needs windows.
-  void FindChanges(std::vector<double>& changes) const;
 
 private:
   /// A window or a source, in the frame of this edge.
@@ -81,8 +78,6 @@ private:
   void CollectSources(Id h);
   void CollectThroughFace(Id h);
   void FindWindowBreaks();
-  double ExcessOfRising(double begin, double end, double x) const;
-  bool FindPeak(double begin, double end, double& peak) const;
   void SetUpFaces();
   /// Difference between the distance at an abscissa and a level.
   struct Probe

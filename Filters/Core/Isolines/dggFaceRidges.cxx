@@ -119,8 +119,7 @@ std::vector<double> FaceRidgeFinder::PlacesBetweenChanges(int k)
   const SurfaceMesh& mesh = *this->Field.Mesh;
   const Id h = 3 * this->Profile.GetFace() + k;
   this->Edge.Enter(h);
-  std::vector<double> changes;
-  this->Edge.FindChanges(changes);
+  std::vector<double> changes = this->Edge.GetBreaks();
   const bool isSame = mesh.Origin(h) == mesh.Origin(this->Edge.GetHalfEdge());
   for (double& change : changes)
   {
