@@ -69,9 +69,11 @@ void EdgeProfile::Enter(Id h)
   {
     this->SetUpFaces();
     this->FindModelBreaks();
-    this->FindSteepness();
   }
-  this->BreakStates.assign(this->Breaks.size(), {});
+  this->FindSteepness();
+  BreakState state;
+  state.IsSearched = this->Field.HasWindows(); // then breaks separate extrema
+  this->BreakStates.assign(this->Breaks.size(), state);
 }
 
 void EdgeProfile::CollectWindows(Id h)
@@ -275,7 +277,7 @@ void EdgeProfile::FindModelBreaks()
 }
 
 /// Computes the Lipschitz constant. A model changes at most as fast as the distance from its source
-/// plus the amount by which the model is raised.
+/// plus the amount by which the model is raised; exact distances as fast as the distance.
 void EdgeProfile::FindSteepness()
 {
   double raise = std::abs(this->Ends[1] - this->Ends[0]) - this->Length; // of linear fields
@@ -366,21 +368,10 @@ double EdgeProfile::LeastOfFaces(double x) const
 
 void EdgeProfile::FindCrossings(double level, std::vector<double>& crossings)
 {
-  if (!this->Field.HasWindows())
-  {
-    this->CrossBetweenBreaks(level, 0, this->Breaks.size() - 1, crossings);
-    return;
-  }
-  Probe begin{ 0.0, this->Ends[0] - level };
-  for (std::size_t i = 1; i < this->Breaks.size(); ++i)
-  {
-    const Probe end{ this->Breaks[i], this->AtBreak(i) - level };
-    this->Cross(level, begin, end, crossings);
-    begin = end;
-  }
+  this->CrossBetweenBreaks(level, 0, this->Breaks.size() - 1, crossings);
 }
 
-/// Bisects the interval between two breaks of models. Skips subintervals that cannot reach the
+/// Bisects the interval between two breaks. Skips subintervals that cannot reach the
 /// level, which make up most of an edge.
 void EdgeProfile::CrossBetweenBreaks(
   double level, std::size_t first, std::size_t last, std::vector<double>& crossings)
