@@ -456,8 +456,13 @@ FieldSample FaceProfile::FromLowerBound(int k, const Point2& p) const
   return sample;
 }
 
-FieldSample FaceProfile::SampleOfCandidate(Id candidate, const Point2& p) const
+FieldSample FaceProfile::SampleOfCandidate(const FieldSample& sample, const Point2& p) const
 {
+  if (sample.HasImage)
+  {
+    return FromSource(sample.Image, sample.Offset, p);
+  }
+  const Id candidate = sample.Candidate;
   if (candidate >= LeastCandidate)
   {
     return this->FromLowerBound(candidate - LeastCandidate, p);

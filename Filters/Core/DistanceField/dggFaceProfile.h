@@ -40,8 +40,8 @@ public:
   /// Returns the distance at a point of the face.
   double At(const Point2& p) const;
   FieldSample SampleAt(const Point2& p) const;
-  /// Returns the field of a single candidate of models, even if another candidate is nearer.
-  FieldSample SampleOfCandidate(Id candidate, const Point2& p) const;
+  /// Returns the field of the candidate of a sample, even if another candidate is nearer.
+  FieldSample SampleOfCandidate(const FieldSample& sample, const Point2& p) const;
 
   /// Returns the largest amount by which the model of a corner is raised at another corner.
   double GetLargestRaise() const;

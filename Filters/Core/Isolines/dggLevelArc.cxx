@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace dgg
 {
@@ -22,7 +21,7 @@ constexpr double SameImage = 1e-9;
 constexpr double Outside = 1e-13;
 /// Maximum number of bisections of a chord.
 constexpr int DeepestChord = 12;
-constexpr int MostNewtonSteps = 6;
+constexpr int MostNewtonSteps = 10;
 /// Maximum distance of Newton steps from the middle of a chord, in chord lengths. With this limit
 /// the steps do not reach the ends of the chord.
 constexpr double NewtonReach = 0.8;
@@ -226,8 +225,7 @@ bool LevelArc::FindCorner(
   LevelPoint found;
   for (int step = 0; step < MostPieces && !found.IsOnLevel; ++step)
   {
-    if (!(from.Sample.HasImage && after.Sample.HasImage ? this->MeetCircles(from, after, place)
-                                                        : this->MeetCandidates(from, after, place)))
+    if (!this->MeetCandidates(from, after, place))
     {
       return false;
     }
@@ -267,43 +265,6 @@ bool LevelArc::FindCorner(
   return true;
 }
 
-/// Intersects two circles around the images. Of the two intersections, chooses the one at the
-/// chord. Returns false if the circles do not intersect.
-bool LevelArc::MeetCircles(const LevelPoint& from, const LevelPoint& to, Point2& corner) const
-{
-  const Point2 way = Difference(to.Sample.Image, from.Sample.Image);
-  const double apart = Norm(way.X, way.Y);
-  const double a = this->Level - from.Sample.Offset;
-  const double b = this->Level - to.Sample.Offset;
-  if (!(apart > 0.0))
-  {
-    return false;
-  }
-  const Point2 axis{ way.X / apart, way.Y / apart };
-  const double x = 0.5 * (apart + (a - b) * (a + b) / apart);
-  double square = (a - x) * (a + x);
-  if (square < -1e-9 * a * a)
-  {
-    return false;
-  }
-  square = std::sqrt(std::max(0.0, square));
-  const Point2 middle = Between(from.Place, to.Place, 0.5);
-  std::array<Point2, 2> places{ { FromFrame(from.Sample.Image, axis, { x, square }),
-    FromFrame(from.Sample.Image, axis, { x, -square }) } };
-  if (Distance(places[1], middle) < Distance(places[0], middle))
-  {
-    std::swap(places[0], places[1]);
-  }
-  // Lower distances are on the left of the isoline. Therefore, if the middle is above the level,
-  // the isoline is on the left of the middle.
-  const Point2 chord = Difference(to.Place, from.Place);
-  const bool isLeft = this->Profile.At(middle) >= this->Level;
-  const bool isBeside = (Cross(chord, Difference(places[0], from.Place)) >= 0.0) == isLeft;
-  const bool isOther = (Cross(chord, Difference(places[1], from.Place)) >= 0.0) == isLeft;
-  corner = !isBeside && isOther ? places[1] : places[0];
-  return true;
-}
-
 /// Finds the intersection of the level sets of both pieces, by Newton's method starting at the
 /// middle of the chord. Returns false if the method fails.
 bool LevelArc::MeetCandidates(const LevelPoint& from, const LevelPoint& to, Point2& corner) const
@@ -312,8 +273,8 @@ bool LevelArc::MeetCandidates(const LevelPoint& from, const LevelPoint& to, Poin
   corner = middle;
   for (int step = 0; step < MostNewtonSteps; ++step)
   {
-    const FieldSample a = this->Profile.SampleOfCandidate(from.Sample.Candidate, corner);
-    const FieldSample b = this->Profile.SampleOfCandidate(to.Sample.Candidate, corner);
+    const FieldSample a = this->Profile.SampleOfCandidate(from.Sample, corner);
+    const FieldSample b = this->Profile.SampleOfCandidate(to.Sample, corner);
     const double missA = this->Level - a.Distance;
     const double missB = this->Level - b.Distance;
     if (std::max(std::abs(missA), std::abs(missB)) <= 1e-3 * this->Close)

@@ -55,7 +55,6 @@ private:
   bool MayTurn(const LevelPoint& a, const LevelPoint& b) const;
   bool FindCorner(
     const LevelPoint& from, const LevelPoint& to, LevelPoint& before, LevelPoint& after) const;
-  bool MeetCircles(const LevelPoint& from, const LevelPoint& to, Point2& corner) const;
   bool MeetCandidates(const LevelPoint& from, const LevelPoint& to, Point2& corner) const;
   LevelPoint Project(const LevelPoint& from, const LevelPoint& to) const;
 
