@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <mutex>
+#include <queue>
 #include <thread>
 #include <type_traits>
 
@@ -19,6 +21,7 @@ constexpr float OffsetPenalty = 1e-5F;
 /// Work per chunk of a thread.
 constexpr std::size_t LabelsPerChunk = 64;
 constexpr Offset ValuesPerBlock = 65536;
+constexpr Offset FacesPerBlock = 4096;
 /// Maximum number of labels: per face, plus a constant. Beyond this, labels do not settle.
 constexpr std::size_t MostLabelsPerFace = 7;
 constexpr std::size_t ManyLabels = 100000;
@@ -30,6 +33,19 @@ constexpr double FewestLabelsPerReport = 8192.0;
 constexpr double FastLabelsPerFace = 1.2;
 constexpr double HighLabelsPerFace = 1.9;
 constexpr double LargestProgress = 0.99;
+
+/// A total order, so that the order of discovery is irrelevant.
+struct IsLater
+{
+  bool operator()(const PropagationShortcut& a, const PropagationShortcut& b) const
+  {
+    if (a.Distance != b.Distance)
+    {
+      return a.Distance > b.Distance;
+    }
+    return a.Vertex != b.Vertex ? a.Vertex > b.Vertex : ComesBefore(b.Label, a.Label);
+  }
+};
 
 void Lower(std::atomic<float>& value, float candidate)
 {
@@ -314,8 +330,8 @@ void Propagation<High>::Leave(const PropagationLabel& label, int side, Propagati
   UnfoldTo(side, image, face);
   const float length = face.Lengths[side];
   const int origin = NextOf(side); // origin of the twin
-  const float a = this->Distances[face.Corners[origin]].load(std::memory_order_relaxed);
-  const float b = this->Distances[face.Corners[side]].load(std::memory_order_relaxed);
+  const float a = this->Load(face.Corners[origin]);
+  const float b = this->Load(face.Corners[side]);
   if (std::abs(a - b) > length + PropagationRounding * a)
   {
     chunk.Shortcuts.push_back(
@@ -445,7 +461,7 @@ void Propagation<High>::Lose(Id id, const PropagationLabel& label, PropagationCh
   const auto look = [&](int corner) {
     const Id v = face.Corners[corner];
     const float distance = WayTo(corner, label, face).GetDistance();
-    if (distance <= this->Distances[v].load(std::memory_order_relaxed))
+    if (distance <= this->Load(v))
     {
       chunk.Shortcuts.push_back({ v, distance, label });
     }
@@ -476,15 +492,92 @@ void Propagation<High>::TakeShortcuts(PropagationChunk& chunk)
   chunk.Shortcuts.clear();
 }
 
+/// Relaxes the two edges of the face at the origin of a half-edge.
+template <bool High>
+void Propagation<High>::CollectShortcutsFrom(Id h, std::vector<PropagationShortcut>& found) const
+{
+  const Id f = SurfaceMesh::Face(h);
+  const int k = h % 3;
+  const PropagationFace& face = this->Faces[f];
+  for (const int to : { NextOf(k), PreviousOf(k) })
+  {
+    const auto way = WayAlongEdge(f, face, k, to, this->Load(face.Corners[k]));
+    const float known = this->Load(way.Vertex);
+    if (way.Distance < (1.0F - PropagationRounding) * known && way.Distance <= this->Radius)
+    {
+      found.push_back(way);
+    }
+  }
+}
+
+/// Relaxes all mesh edges up to the radius, like Dijkstra's algorithm: no distance exceeds the
+/// distance of a neighbor plus the edge length, up to rounding.
+template <bool High>
+void Propagation<High>::TakeWaysAlongEdges(const ParallelFor& parallel)
+{
+  std::priority_queue<PropagationShortcut, std::vector<PropagationShortcut>, IsLater> queue;
+  const auto push = [&queue](std::vector<PropagationShortcut>& found) {
+    for (const PropagationShortcut& way : found)
+    {
+      queue.push(way);
+    }
+    found.clear();
+  };
+  std::mutex mutex;
+  ForRange(parallel, this->Mesh.GetNumberOfFaces(), FacesPerBlock, [&](Offset begin, Offset end) {
+    std::vector<PropagationShortcut> found;
+    for (auto f = static_cast<Id>(begin); f < end; ++f)
+    {
+      const PropagationFace& face = this->Faces[f];
+      const float a = this->Load(face.Corners[0]);
+      const float b = this->Load(face.Corners[1]);
+      const float c = this->Load(face.Corners[2]);
+      // A single condition per face, which is rarely true.
+      const float excess = std::max(std::abs(a - b) - face.Lengths[0],
+        std::max(std::abs(b - c) - face.Lengths[1], std::abs(c - a) - face.Lengths[2]));
+      if (excess > PropagationRounding * a && !this->Mesh.IsDropped(f))
+      {
+        this->CollectShortcutsFrom(3 * f, found);
+        this->CollectShortcutsFrom(3 * f + 1, found);
+        this->CollectShortcutsFrom(3 * f + 2, found);
+      }
+    }
+    const std::lock_guard<std::mutex> lock(mutex);
+    push(found);
+  });
+  std::vector<PropagationShortcut> found;
+  while (!queue.empty())
+  {
+    const PropagationShortcut way = queue.top();
+    queue.pop();
+    if (way.Distance < this->Load(way.Vertex))
+    {
+      this->Distances[way.Vertex].store(way.Distance, std::memory_order_relaxed);
+      this->Shortcuts.push_back(way);
+      for (const Id* g = this->Mesh.FanBegin(way.Vertex); g != this->Mesh.FanEnd(way.Vertex); ++g)
+      {
+        this->CollectShortcutsFrom(*g, found);
+      }
+      push(found);
+    }
+  }
+}
+
 template <bool High>
 const std::vector<PropagationShortcut>& Propagation<High>::FindShortcuts(
   const ParallelFor& parallel)
 {
-  TakeWaysAlongEdges(
-    this->Mesh, this->Faces, this->Radius, parallel, this->Distances.get(), this->Shortcuts);
+  this->TakeWaysAlongEdges(parallel);
   if (this->WantsLabels)
   {
-    KeepShortest(this->Distances.get(), this->Shortcuts);
+    // Keep the shortcuts that define vertex distances.
+    std::vector<PropagationShortcut>& shortcuts = this->Shortcuts;
+    const auto isBeaten = [&](const PropagationShortcut& way) {
+      return way.Distance != this->Load(way.Vertex);
+    };
+    shortcuts.erase(std::remove_if(shortcuts.begin(), shortcuts.end(), isBeaten), shortcuts.end());
+    std::sort(shortcuts.begin(), shortcuts.end(),
+      [](const auto& a, const auto& b) { return IsLater()(b, a); });
   }
   return this->Shortcuts;
 }

@@ -5,13 +5,11 @@
 #ifndef dggPropagation_h
 #define dggPropagation_h
 
-#include "dggGeodesicSource.h"       // for sources
-#include "dggPropagationFaces.h"     // for the faces
-#include "dggPropagationLabel.h"     // for labels
-#include "dggPropagationOutput.h"    // for VirtualPlace
-#include "dggPropagationRounds.h"    // for the slots
-#include "dggPropagationShortcuts.h" // for shortcuts
-#include "dggRoundTeam.h"            // for the threads
+#include "dggGeodesicSource.h"    // for sources
+#include "dggPropagationFaces.h"  // for the faces
+#include "dggPropagationLabel.h"  // for labels
+#include "dggPropagationRounds.h" // for the slots
+#include "dggRoundTeam.h"         // for the threads
 
 #include <atomic>  // for distances
 #include <cstddef> // for std::size_t
@@ -87,6 +85,9 @@ private:
   DGG_INLINE void Enter(PropagationLabel label, PropagationChunk& chunk);
   DGG_INLINE void Offer(float key, const PropagationLabel& label, Id id, PropagationChunk& chunk);
   void TakeShortcuts(PropagationChunk& chunk);
+  void TakeWaysAlongEdges(const ParallelFor& parallel);
+  void CollectShortcutsFrom(Id h, std::vector<PropagationShortcut>& found) const;
+  float Load(Id v) const { return this->Distances[v].load(std::memory_order_relaxed); }
   void Lose(Id id, const PropagationLabel& label, PropagationChunk& chunk) const;
 
   const SurfaceMesh& Mesh;

@@ -179,6 +179,32 @@ inline bool IsAtOrigin(const PropagationLabel& label)
 {
   return label.X == 0.0F && label.Y == 0.0F;
 }
+
+/// A path to a vertex by a label that no face or edge stores.
+struct PropagationShortcut
+{
+  Id Vertex;
+  float Distance;
+  /// Label that has entered a face at the vertex. If the path follows an edge from the origin of
+  /// its entry, its root is NoId, which means the root of that vertex.
+  PropagationLabel Label;
+};
+
+/// Returns the path from one corner of a face to another along their edge.
+inline PropagationShortcut WayAlongEdge(
+  Id f, const PropagationFace& face, int from, int to, float start)
+{
+  const float length = face.Lengths[to == NextOf(from) ? from : to];
+  return { face.Corners[to], start + length, { 0.0F, 0.0F, start, 3 * f + from, NoId } };
+}
+
+/// A virtual source as seen from a vertex.
+struct VirtualPlace
+{
+  double Length = 0.0; ///< straight distance
+  Id HalfEdge = NoId;  ///< half-edge at the vertex from which Angle is measured; NoId at the source
+  double Angle = 0.0;
+};
 }
 
 #endif
