@@ -449,7 +449,7 @@ TEST(BorderRefinement, IsBounded)
     diagram.Distances.push_back(distances.Nearest(v)->Distance);
   }
   dgg::EdgeCuts cuts(c.GetMesh());
-  ASSERT_TRUE(cuts.Run(distances, &refinement, nullptr, diagram));
+  ASSERT_TRUE(Ok(cuts.Run(distances, &refinement, nullptr, diagram)));
   EXPECT_GT(refinement.GetWork(), 0u);
   EXPECT_LE(refinement.GetWork(), refinement.GetMostWork() + refinement.GetMostWork() / 8);
 }

@@ -39,6 +39,22 @@ constexpr int MaximumDepth = 12;
 /// Minimum number of bisections of a curve whose ends belong to different sources.
 constexpr int MinimumDepth = 2;
 
+/// Returns true if a point lies inside a convex polygon, up to `slack`.
+template <typename Polygon>
+bool IsInside(const Polygon& polygon, double slack, const Point2& place)
+{
+  for (std::size_t i = 0; i < polygon.size(); ++i)
+  {
+    const Point2& p = polygon[i].Place;
+    const Point2 side = Difference(polygon[(i + 1) % polygon.size()].Place, p);
+    if (Cross(side, Difference(place, p)) < -slack * Norm(side.X, side.Y))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
 bool HavePair(const FieldSample& a, const FieldSample& b, const FieldSample& c,
   const FieldSample& d, double length)
 {
@@ -246,19 +262,8 @@ void FaceRidgeFinder::Connect(const Rim& rim)
 /// Returns true if a subregion contains a source whose cell is not on any boundary so far.
 bool FaceRidgeFinder::HidesSource(const Rim& rim) const
 {
-  const auto isInside = [&](const FieldSample& source) {
-    for (std::size_t i = 0; i < rim.size(); ++i)
-    {
-      const Point2& p = rim[i].Place;
-      const Point2 side = Difference(rim[(i + 1) % rim.size()].Place, p);
-      if (Cross(side, Difference(source.Image, p)) < 0.0)
-      {
-        return false;
-      }
-    }
-    return true;
-  };
-  return std::any_of(this->Hidden.begin(), this->Hidden.end(), isInside);
+  return std::any_of(this->Hidden.begin(), this->Hidden.end(),
+    [&](const FieldSample& source) { return IsInside(rim, 0.0, source.Image); });
 }
 
 /// Notes that the cell of a source is on a boundary.
@@ -375,17 +380,9 @@ bool FaceRidgeFinder::FindJunction(
     return false;
   }
   // The point must lie inside the subregion, up to the inset of the boundary.
-  for (std::size_t i = 0; i < rim.size(); ++i)
-  {
-    const Point2& p = rim[i].Place;
-    const Point2 side = Difference(rim[(i + 1) % rim.size()].Place, p);
-    if (Cross(side, Difference(place, p)) < -CornerInset * this->Size * Norm(side.X, side.Y))
-    {
-      return false;
-    }
-  }
-  return std::all_of(sources.begin(), sources.end(),
-    [&](const FieldSample& source) { return this->IsNearest(source, place); });
+  return IsInside(rim, CornerInset * this->Size, place) &&
+    std::all_of(sources.begin(), sources.end(),
+      [&](const FieldSample& source) { return this->IsNearest(source, place); });
 }
 
 Point2 FaceRidgeFinder::MeanOf(const std::vector<Id>& ridges) const

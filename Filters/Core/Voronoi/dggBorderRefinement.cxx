@@ -3,6 +3,7 @@
 #include "dggBorderRefinement.h"
 
 #include "dggCornerModel.h"
+#include "dggRootFinding.h"
 
 #include <algorithm>
 #include <cmath>
@@ -47,13 +48,6 @@ std::array<double, 3> Step(
     place[2] + part * direction[2] } };
 }
 
-const SiteDistances::Entry* FindEntry(const SiteDistances& distances, Id v, Id site)
-{
-  const SiteDistances::Entry* end = distances.End(v);
-  const SiteDistances::Entry* entry = std::lower_bound(distances.Begin(v), end, site,
-    [](const SiteDistances::Entry& e, Id number) { return e.Site < number; });
-  return entry != end && entry->Site == site ? entry : nullptr;
-}
 }
 
 BorderRefinement::BorderRefinement(const SurfaceMesh& mesh, const SiteDistances& distances,
@@ -88,41 +82,30 @@ void BorderRefinement::Balance(Id halfEdge, const std::array<Id, 2>& sites, doub
   {
     return;
   }
-  // Regula falsi, Illinois variant; until the root is bracketed, half the distance to the end.
-  double ends[2] = { low, high };
-  double values[2] = { -Infinity, Infinity };
-  double best = Infinity;
-  double t = parameter;
-  for (int step = 0; step < MostEdgeSteps; ++step)
+  struct Probe
   {
-    double found[2];
-    if (!this->Measure(SurfacePoint::OnEdge(this->Mesh, halfEdge, t), sites.data(), 2, found))
-    {
-      return;
-    }
-    const double excess = found[0] - found[1]; // negative if the first site is nearer
-    if (std::abs(excess) < best)
-    {
-      best = std::abs(excess);
-      parameter = t;
-      distance = 0.5 * (found[0] + found[1]);
-    }
-    if (best <= BalanceTolerance * this->Accuracy * distance)
-    {
-      return;
-    }
-    const int side = excess < 0.0 ? 0 : 1;
-    ends[side] = t;
-    values[side] = excess;
-    if (values[1 - side] < Infinity && values[1 - side] > -Infinity)
-    {
-      values[1 - side] *= step > 2 ? 0.5 : 1.0;
-      t = (ends[0] * values[1] - ends[1] * values[0]) / (values[1] - values[0]);
-    }
-    else
-    {
-      t = 0.5 * (ends[0] + ends[1]);
-    }
+    double X;
+    double Height; // negative if the first site is nearer
+    double Distance;
+  };
+  bool isMeasured = true;
+  const auto measure = [&](double t) {
+    double found[2] = { 0.0, 0.0 };
+    isMeasured = isMeasured &&
+      this->Measure(SurfacePoint::OnEdge(this->Mesh, halfEdge, t), sites.data(), 2, found);
+    return Probe{ t, found[0] - found[1], 0.5 * (found[0] + found[1]) };
+  };
+  const Probe start = measure(parameter);
+  // Infinite heights lead to bisection until the root is bracketed.
+  const bool isBefore = start.Height < 0.0;
+  const Probe begin = isBefore ? start : Probe{ low, -Infinity, 0.0 };
+  const Probe end = isBefore ? Probe{ high, Infinity, 0.0 } : start;
+  const Probe root = FindRoot(
+    begin, end, BalanceTolerance * this->Accuracy * start.Distance, MostEdgeSteps, measure);
+  if (isMeasured)
+  {
+    parameter = root.X;
+    distance = root.Distance;
   }
 }
 
@@ -186,7 +169,7 @@ bool BorderRefinement::IsDoubtful(Id face, const Coordinates& place, Id site, do
 {
   for (Id h = 3 * face; h < 3 * face + 3; ++h)
   {
-    const SiteDistances::Entry* entry = FindEntry(this->Distances, this->Mesh.Origin(h), site);
+    const SiteDistances::Entry* entry = this->Distances.Find(this->Mesh.Origin(h), site);
     if (!entry)
     {
       continue;
@@ -237,7 +220,7 @@ bool BorderRefinement::Measure(
     distances[i] = direct[i];
     for (const GraphLink& link : links)
     {
-      const SiteDistances::Entry* entry = FindEntry(this->Distances, link.Vertex, sites[i]);
+      const SiteDistances::Entry* entry = this->Distances.Find(link.Vertex, sites[i]);
       const double distance = entry ? entry->Distance + link.Length : Infinity;
       distances[i] = std::min(distances[i], distance);
     }

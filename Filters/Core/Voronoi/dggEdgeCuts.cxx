@@ -4,6 +4,7 @@
 
 #include "dggBorderRefinement.h"
 #include "dggEdges.h"
+#include "dggProgressPart.h"
 #include "dggVoronoi.h"
 
 #include <algorithm>
@@ -35,31 +36,22 @@ double Square(double x)
 std::vector<Line> LinesOf(const SiteDistances& distances, Id origin, Id destination, double length)
 {
   std::vector<Line> lines;
-  const SiteDistances::Entry* b = distances.Begin(destination);
   for (const SiteDistances::Entry* a = distances.Begin(origin); a != distances.End(origin); ++a)
   {
-    while (b != distances.End(destination) && b->Site < a->Site)
-    {
-      ++b;
-    }
-    if (b != distances.End(destination) && b->Site == a->Site)
+    if (const SiteDistances::Entry* b = distances.Find(destination, a->Site))
     {
       lines.push_back({ a->Site, Square(a->Distance), Square(b->Distance) });
     }
   }
   // Because of rounding and shortcuts of the search, the nearest site of one end may be unknown at
   // the other end; its distance there is at most that along the edge.
-  const auto isKnown = [&lines](Id site) {
-    return std::any_of(
-      lines.begin(), lines.end(), [site](const Line& line) { return line.Site == site; });
-  };
   const SiteDistances::Entry& first = *distances.Nearest(origin);
   const SiteDistances::Entry& last = *distances.Nearest(destination);
-  if (!isKnown(first.Site))
+  if (!distances.Find(destination, first.Site))
   {
     lines.push_back({ first.Site, Square(first.Distance), Square(first.Distance + length) });
   }
-  if (!isKnown(last.Site))
+  if (!distances.Find(origin, last.Site))
   {
     lines.push_back({ last.Site, Square(last.Distance + length), Square(last.Distance) });
   }
@@ -73,15 +65,15 @@ double DistanceOn(const Line& line, double t, double length)
 }
 }
 
-bool EdgeCuts::Run(const SiteDistances& distances, const BorderRefinement* refinement,
+Status EdgeCuts::Run(const SiteDistances& distances, const BorderRefinement* refinement,
   const ProgressCallback& progress, VoronoiDiagram& diagram)
 {
   const Id size = this->Mesh.GetNumberOfHalfEdges();
   for (Id h = 0; h < size; ++h)
   {
-    if (h % ProgressInterval == 0 && progress && !progress(static_cast<double>(h) / size))
+    if (h % ProgressInterval == 0)
     {
-      return false;
+      DGG_RETURN_IF_ERROR(ReportTo(progress, static_cast<double>(h) / size));
     }
     this->Offsets.push_back(static_cast<Offset>(this->Cuts.size()));
     if (this->Mesh.IsDropped(SurfaceMesh::Face(h)) || FindEdge(this->Mesh, h) != h)
@@ -95,7 +87,7 @@ bool EdgeCuts::Run(const SiteDistances& distances, const BorderRefinement* refin
     }
   }
   this->Offsets.push_back(static_cast<Offset>(this->Cuts.size()));
-  return true;
+  return Status::Success();
 }
 
 /// Refines the cuts of the most recent edge, each between its neighbors.

@@ -41,8 +41,8 @@ public:
   }
 
   /// Finds the cuts. Appends border points to the diagram, whose nearest sites must be known. The
-  /// refinement may be null. Returns false if aborted.
-  bool Run(const SiteDistances& distances, const BorderRefinement* refinement,
+  /// refinement may be null. Fails if aborted.
+  Status Run(const SiteDistances& distances, const BorderRefinement* refinement,
     const ProgressCallback& progress, VoronoiDiagram& diagram);
 
   /// Returns the cuts of a half-edge, sorted from its origin.

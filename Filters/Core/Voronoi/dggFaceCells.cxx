@@ -45,6 +45,32 @@ double CommonPart(const SurfaceMesh& mesh, Id face, const Coordinates& place)
 }
 }
 
+double FaceCell::GetFraction() const
+{
+  double fraction = 0.0;
+  for (std::size_t i = 1; i + 1 < this->Points.size(); ++i)
+  {
+    const Coordinates& a = this->Points[0].Place;
+    const Coordinates& b = this->Points[i].Place;
+    const Coordinates& c = this->Points[i + 1].Place;
+    fraction += (b[1] - a[1]) * (c[2] - a[2]) - (b[2] - a[2]) * (c[1] - a[1]);
+  }
+  return fraction;
+}
+
+void FaceCell::AddTo(const SurfaceMesh& mesh, Id face, VoronoiDiagram& diagram) const
+{
+  for (const CellPoint& point : this->Points)
+  {
+    diagram.PolygonPoints.push_back(point.Number);
+  }
+  const Id h = 3 * face;
+  diagram.PolygonOffsets.push_back(static_cast<Offset>(diagram.PolygonPoints.size()));
+  diagram.PolygonSites.push_back(this->Site);
+  diagram.PolygonFaces.push_back(face);
+  diagram.PolygonAreas.push_back(this->GetFraction() * 0.5 * mesh.Length(h) * mesh.ApexY(h));
+}
+
 FaceCells::FaceCells(const SurfaceMesh& mesh, const SiteDistances& distances, const EdgeCuts& cuts,
   const BorderRefinement* refinement, VoronoiDiagram& diagram, BorderCurves& borders)
   : Mesh(mesh)
@@ -76,7 +102,7 @@ void FaceCells::Cut(Id face)
   }
   for (const Cell& cell : this->Cells)
   {
-    this->AddPolygon(face, cell);
+    cell.AddTo(this->Mesh, face, this->Diagram);
   }
   this->AddPieces();
 }
@@ -167,7 +193,7 @@ bool FaceCells::IsConsistent() const
   // After refinement cells need not be convex, but must not be inverted.
   return sides == opposite && std::adjacent_find(sides.begin(), sides.end()) == sides.end() &&
     std::all_of(this->Cells.begin(), this->Cells.end(),
-      [](const Cell& cell) { return PartOf(cell) >= -1e-12; });
+      [](const Cell& cell) { return cell.GetFraction() >= -1e-12; });
 }
 
 void FaceCells::CutPlainly(Id face)
@@ -235,7 +261,8 @@ void FaceCells::AddWhole(Id face)
   {
     points.push_back({ this->Mesh.Origin(3 * face + k), CoordinatesOfCorner(k) });
   }
-  this->AddPolygon(face, { this->Diagram.NearestSites[points[0].Number], points });
+  Cell{ this->Diagram.NearestSites[points[0].Number], points }.AddTo(
+    this->Mesh, face, this->Diagram);
 }
 
 /// Collects all sites that are known at every corner, and those on the sides.
@@ -260,11 +287,9 @@ void FaceCells::CollectSites(Id face)
     for (int k = 0; k < 3; ++k)
     {
       const Id v = this->Mesh.Origin(3 * face + k);
-      const SiteDistances::Entry* end = this->Distances.End(v);
-      const SiteDistances::Entry* entry = std::find_if(this->Distances.Begin(v), end,
-        [number](const SiteDistances::Entry& e) { return e.Site == number; });
-      distances[k] = entry != end ? entry->Distance : Infinity;
-      known += entry != end ? 1 : 0;
+      const SiteDistances::Entry* entry = this->Distances.Find(v, number);
+      distances[k] = entry ? entry->Distance : Infinity;
+      known += entry ? 1 : 0;
     }
     bool isOnSide = false;
     for (const std::vector<EdgeCut>& side : this->Sides)
@@ -492,33 +517,5 @@ void FaceCells::AddCell(Id site, const std::vector<Point>& points)
   {
     this->Cells.push_back({ site, distinct });
   }
-}
-
-/// Returns the fraction of the face covered by a cell.
-double FaceCells::PartOf(const Cell& cell)
-{
-  double part = 0.0;
-  for (std::size_t i = 1; i + 1 < cell.Points.size(); ++i)
-  {
-    const Coordinates& a = cell.Points[0].Place;
-    const Coordinates& b = cell.Points[i].Place;
-    const Coordinates& c = cell.Points[i + 1].Place;
-    part += (b[1] - a[1]) * (c[2] - a[2]) - (b[2] - a[2]) * (c[1] - a[1]);
-  }
-  return part;
-}
-
-void FaceCells::AddPolygon(Id face, const Cell& cell)
-{
-  for (const Point& point : cell.Points)
-  {
-    this->Diagram.PolygonPoints.push_back(point.Number);
-  }
-  const Id h = 3 * face;
-  this->Diagram.PolygonOffsets.push_back(static_cast<Offset>(this->Diagram.PolygonPoints.size()));
-  this->Diagram.PolygonSites.push_back(cell.Site);
-  this->Diagram.PolygonFaces.push_back(face);
-  this->Diagram.PolygonAreas.push_back(
-    PartOf(cell) * 0.5 * this->Mesh.Length(h) * this->Mesh.ApexY(h));
 }
 }

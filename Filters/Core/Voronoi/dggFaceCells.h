@@ -17,6 +17,25 @@ namespace dgg
 {
 class BorderRefinement;
 
+/// A point of a diagram and its position in a face.
+struct CellPoint
+{
+  Id Number;
+  std::array<double, 3> Place;
+};
+
+/// A region of a face that belongs to one site.
+struct FaceCell
+{
+  Id Site;
+  std::vector<CellPoint> Points;
+
+  /// Returns the fraction of the face that the region covers.
+  double GetFraction() const;
+  /// Appends the region as a polygon.
+  void AddTo(const SurfaceMesh& mesh, Id face, VoronoiDiagram& diagram) const;
+};
+
 /// Cuts faces along the borders of cells: for each site at the corners of a face, the face is
 /// clipped by the lines on which the site and another one are equidistant. Crossings with the sides
 /// of the face are taken from the cuts of the edges.
@@ -54,19 +73,8 @@ private:
   };
   using Polygon = std::vector<Corner>;
 
-  /// A point of the diagram and its position in the face.
-  struct Point
-  {
-    Id Number;
-    Coordinates Place;
-  };
-
-  /// The region of the face that belongs to a site.
-  struct Cell
-  {
-    Id Site;
-    std::vector<Point> Points;
-  };
+  using Point = CellPoint;
+  using Cell = FaceCell;
 
   void AddWhole(Id face);
   void CollectSites(Id face);
@@ -78,11 +86,9 @@ private:
   void CutByLines(Id face);
   void CutPlainly(Id face);
   bool IsConsistent() const;
-  static double PartOf(const Cell& cell);
   void WalkAround(Id face);
   void AddPieces();
   void AddCell(Id site, const std::vector<Point>& points);
-  void AddPolygon(Id face, const Cell& cell);
 
   const SurfaceMesh& Mesh;
   const SiteDistances& Distances;

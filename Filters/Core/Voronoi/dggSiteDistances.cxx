@@ -317,6 +317,13 @@ Status SiteDistances::Run(const GraphSearch& search, const SurfaceMesh& mesh,
   return Status::Success();
 }
 
+const SiteDistances::Entry* SiteDistances::Find(Id v, Id site) const
+{
+  const Entry* entry = std::lower_bound(
+    this->Begin(v), this->End(v), site, [](const Entry& e, Id number) { return e.Site < number; });
+  return entry != this->End(v) && entry->Site == site ? entry : nullptr;
+}
+
 const SiteDistances::Entry* SiteDistances::Nearest(Id v) const
 {
   const Entry* nearest = nullptr;

@@ -40,6 +40,9 @@ public:
   const Entry* Begin(Id v) const { return this->Entries.data() + this->Offsets[v]; }
   const Entry* End(Id v) const { return this->Entries.data() + this->Offsets[v + 1]; }
 
+  /// Returns the entry of a site at a vertex; null if there is none.
+  const Entry* Find(Id v, Id site) const;
+
   /// Returns the nearest site of a vertex, on ties that with the smallest index; null if unreached.
   const Entry* Nearest(Id v) const;
 

@@ -102,21 +102,17 @@ Status Fill(const GraphSearch& search, const SurfaceMesh& mesh, const VoronoiInp
       mesh, distances, *input.Builder, input.Accuracy, input.Places);
   }
   EdgeCuts cuts(mesh);
-  if (!cuts.Run(
-        distances, refinement.get(), ProgressPart(progress, DistancesDone, CutsDone), diagram))
-  {
-    return Status::Abort();
-  }
+  DGG_RETURN_IF_ERROR(cuts.Run(
+    distances, refinement.get(), ProgressPart(progress, DistancesDone, CutsDone), diagram));
   BorderCurves borders;
   FaceCells cells(mesh, distances, cuts, refinement.get(), diagram, borders);
   diagram.PolygonOffsets.push_back(0);
   const ProgressCallback rest = ProgressPart(progress, CutsDone, 1.0);
   for (Id f = 0; f < mesh.GetNumberOfFaces(); ++f)
   {
-    if (f % ProgressInterval == 0 && rest &&
-      !rest(static_cast<double>(f) / mesh.GetNumberOfFaces()))
+    if (f % ProgressInterval == 0)
     {
-      return Status::Abort();
+      DGG_RETURN_IF_ERROR(ReportTo(rest, static_cast<double>(f) / mesh.GetNumberOfFaces()));
     }
     if (!mesh.IsDropped(f))
     {

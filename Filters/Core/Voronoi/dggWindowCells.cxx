@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggWindowCells.h"
 
-#include "dggBorderCurves.h"
+#include "dggFaceCells.h"
 #include "dggFaceProfile.h"
 #include "dggPathEdges.h"
 #include "dggProgressPart.h"
@@ -22,12 +22,6 @@ constexpr double CutDone = 0.9;
 constexpr Id ProgressInterval = 1024; // faces between two reports
 
 using Coordinates = std::array<double, 3>;
-
-/// Returns the area of a triangle as a fraction of the area of its face.
-double FractionOf(const Coordinates& a, const Coordinates& b, const Coordinates& c)
-{
-  return (b[1] - a[1]) * (c[2] - a[2]) - (b[2] - a[2]) * (c[1] - a[1]);
-}
 
 /// Makes the diagram of a mesh that is cut along the borders.
 class CellMaker
@@ -53,14 +47,21 @@ private:
   Id FindSite(const std::vector<Id>& cell) const;
   void AddCell(Id face, Id site, const std::vector<Id>& cell);
   std::vector<Id> FindOutline(const std::vector<Id>& cell) const;
-  void AddPolygon(Id face, Id site, const std::vector<Id>& points);
   void AddCurves();
 
-  double FractionOfPiece(Id piece) const
+  FaceCell MakeCell(Id site, const std::vector<Id>& points) const
+  {
+    FaceCell cell{ site, {} };
+    for (const Id point : points)
+    {
+      cell.Points.push_back({ point, this->Places.at(point) });
+    }
+    return cell;
+  }
+  FaceCell MakePiece(Id site, Id piece) const
   {
     const Id* const corners = this->Surface.Triangles.data() + 3 * piece;
-    return FractionOf(
-      this->Places.at(corners[0]), this->Places.at(corners[1]), this->Places.at(corners[2]));
+    return this->MakeCell(site, { corners, corners + 3 });
   }
 
   const DistanceField& Field;
@@ -184,15 +185,15 @@ std::vector<Id> CellMaker::CollectCell(Id piece)
 /// Returns the nearest site of the center of the largest piece.
 Id CellMaker::FindSite(const std::vector<Id>& cell) const
 {
-  const Id largest = *std::max_element(cell.begin(), cell.end(),
-    [&](Id a, Id b) { return this->FractionOfPiece(a) < this->FractionOfPiece(b); });
+  const Id largest = *std::max_element(cell.begin(), cell.end(), [&](Id a, Id b) {
+    return this->MakePiece(NoId, a).GetFraction() < this->MakePiece(NoId, b).GetFraction();
+  });
   Coordinates center{};
-  for (Id h = 3 * largest; h < 3 * largest + 3; ++h)
+  for (const CellPoint& corner : this->MakePiece(NoId, largest).Points)
   {
-    const Coordinates& place = this->Places.at(this->Surface.Origin(h));
     for (int k = 0; k < 3; ++k)
     {
-      center[k] += place[k] / 3.0;
+      center[k] += corner.Place[k] / 3.0;
     }
   }
   return this->Profile.SampleAt(this->Profile.PlaceOf(center)).Source;
@@ -208,13 +209,12 @@ void CellMaker::AddCell(Id face, Id site, const std::vector<Id>& cell)
   const std::vector<Id> outline = this->FindOutline(cell);
   if (!outline.empty())
   {
-    this->AddPolygon(face, site, outline);
+    this->MakeCell(site, outline).AddTo(*this->Field.Mesh, face, this->Diagram);
     return;
   }
   for (const Id piece : cell)
   {
-    const Id* const corners = this->Surface.Triangles.data() + 3 * piece;
-    this->AddPolygon(face, site, { corners, corners + 3 });
+    this->MakePiece(site, piece).AddTo(*this->Field.Mesh, face, this->Diagram);
   }
 }
 
@@ -241,23 +241,6 @@ std::vector<Id> CellMaker::FindOutline(const std::vector<Id>& cell) const
     outline.push_back(v);
   }
   return outline.size() == next.size() ? outline : std::vector<Id>();
-}
-
-void CellMaker::AddPolygon(Id face, Id site, const std::vector<Id>& points)
-{
-  double fraction = 0.0;
-  for (std::size_t i = 1; i + 1 < points.size(); ++i)
-  {
-    fraction += FractionOf(
-      this->Places.at(points[0]), this->Places.at(points[i]), this->Places.at(points[i + 1]));
-  }
-  const SurfaceMesh& mesh = *this->Field.Mesh;
-  VoronoiDiagram& diagram = this->Diagram;
-  diagram.PolygonPoints.insert(diagram.PolygonPoints.end(), points.begin(), points.end());
-  diagram.PolygonOffsets.push_back(static_cast<Offset>(diagram.PolygonPoints.size()));
-  diagram.PolygonSites.push_back(site);
-  diagram.PolygonFaces.push_back(face);
-  diagram.PolygonAreas.push_back(fraction * 0.5 * mesh.Length(3 * face) * mesh.ApexY(3 * face));
 }
 
 /// Adds the edges between pieces of different sites.
