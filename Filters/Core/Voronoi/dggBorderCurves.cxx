@@ -11,61 +11,89 @@
 
 namespace dgg
 {
-void BorderCurves::AddPiece(Id site, Id other, const std::array<Id, 2>& points)
+namespace
 {
-  if (site != other)
-  {
-    this->Pieces.push_back({ { { std::min(site, other), std::max(site, other) } }, points });
-  }
-}
+/// Marks points of several cells.
+constexpr Id Shared = -2;
 
-/// Adds borders between all cells along an edge segment: the cells of the given sides, and the
-/// owner of the segment if the edge has further faces.
-void BorderCurves::AddPiecesOfSide(const SurfaceMesh& mesh, Side begin, Side end)
+/// A side of a polygon, with its points in ascending order.
+struct Side
 {
-  std::vector<Id> sites;
-  for (auto side = begin; side != end; ++side)
+  std::array<Id, 2> Points;
+  Id Site;
+};
+
+/// A segment between two sites, in ascending order.
+struct Segment
+{
+  std::array<Id, 2> Sites;
+  std::array<Id, 2> Points;
+};
+
+/// Returns the sides of polygons, sorted by points and site, without most sides that are inside a
+/// cell.
+std::vector<Side> CollectSides(const VoronoiDiagram& diagram)
+{
+  // Ends of borders belong to several cells.
+  std::vector<Id> siteOf(diagram.Distances.size() + diagram.BorderPoints.size(), NoId);
+  const std::size_t count = diagram.GetNumberOfPolygons();
+  for (std::size_t i = 0; i < count; ++i)
   {
-    sites.push_back(side->Site);
-  }
-  std::ptrdiff_t faces = 0;
-  ForEachHalfEdge(mesh, begin->HalfEdge, [&](Id) { ++faces; });
-  if (end - begin < faces)
-  {
-    sites.push_back(begin->Owner);
-  }
-  for (std::size_t i = 0; i < sites.size(); ++i)
-  {
-    for (std::size_t j = 0; j < i; ++j)
+    const Id site = diagram.PolygonSites[i];
+    for (Offset k = diagram.PolygonOffsets[i]; k < diagram.PolygonOffsets[i + 1]; ++k)
     {
-      this->AddPiece(sites[i], sites[j], begin->Points);
+      Id& known = siteOf[diagram.PolygonPoints[k]];
+      known = known == NoId || known == site ? site : Shared;
     }
   }
-}
-
-void BorderCurves::AddTo(const SurfaceMesh& mesh, VoronoiDiagram& diagram)
-{
-  std::sort(this->Sides.begin(), this->Sides.end(), [](const BorderSide& a, const BorderSide& b) {
+  std::vector<Side> sides;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    Id from = diagram.PolygonPoints[diagram.PolygonOffsets[i + 1] - 1];
+    for (Offset k = diagram.PolygonOffsets[i]; k < diagram.PolygonOffsets[i + 1]; ++k)
+    {
+      const Id to = diagram.PolygonPoints[k];
+      if (siteOf[from] == Shared && siteOf[to] == Shared && diagram.PolygonSites[i] != NoId)
+      {
+        sides.push_back(
+          { { { std::min(from, to), std::max(from, to) } }, diagram.PolygonSites[i] });
+      }
+      from = to;
+    }
+  }
+  std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
     return std::tie(a.Points, a.Site) < std::tie(b.Points, b.Site);
   });
-  for (auto begin = this->Sides.cbegin(); begin != this->Sides.cend();)
+  return sides;
+}
+}
+
+void AddBorderCurves(VoronoiDiagram& diagram)
+{
+  const std::vector<Side> sides = CollectSides(diagram);
+  std::vector<Segment> segments; // between each two cells at a side
+  for (auto a = sides.begin(); a != sides.end(); ++a)
   {
-    const auto end = std::find_if(begin, this->Sides.cend(),
-      [begin](const BorderSide& side) { return side.Points != begin->Points; });
-    this->AddPiecesOfSide(mesh, begin, end);
-    begin = end;
+    for (auto b = a + 1; b != sides.end() && b->Points == a->Points; ++b)
+    {
+      if (a->Site != b->Site)
+      {
+        segments.push_back({ { { a->Site, b->Site } }, a->Points });
+      }
+    }
   }
-  const auto key = [](const Piece& piece) { return std::tie(piece.Sites, piece.Points); };
-  std::sort(this->Pieces.begin(), this->Pieces.end(),
-    [&key](const Piece& a, const Piece& b) { return key(a) < key(b); });
-  const auto last = std::unique(this->Pieces.begin(), this->Pieces.end(),
-    [&key](const Piece& a, const Piece& b) { return key(a) == key(b); });
-  this->Pieces.erase(last, this->Pieces.end());
-  for (auto begin = this->Pieces.cbegin(); begin != this->Pieces.cend();)
+  const auto key = [](const Segment& segment) { return std::tie(segment.Sites, segment.Points); };
+  std::sort(segments.begin(), segments.end(),
+    [&key](const Segment& a, const Segment& b) { return key(a) < key(b); });
+  const auto last = std::unique(segments.begin(), segments.end(),
+    [&key](const Segment& a, const Segment& b) { return key(a) == key(b); });
+  segments.erase(last, segments.end());
+  diagram.CurveOffsets.push_back(0);
+  for (auto begin = segments.cbegin(); begin != segments.cend();)
   {
     std::vector<std::array<Id, 2>> points; // segments between one pair of cells
     auto end = begin;
-    for (; end != this->Pieces.cend() && end->Sites == begin->Sites; ++end)
+    for (; end != segments.cend() && end->Sites == begin->Sites; ++end)
     {
       points.push_back(end->Points);
     }

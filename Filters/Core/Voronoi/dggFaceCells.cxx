@@ -72,13 +72,12 @@ void FaceCell::AddTo(const SurfaceMesh& mesh, Id face, VoronoiDiagram& diagram) 
 }
 
 FaceCells::FaceCells(const SurfaceMesh& mesh, const SiteDistances& distances, const EdgeCuts& cuts,
-  const BorderRefinement* refinement, VoronoiDiagram& diagram, BorderCurves& borders)
+  const BorderRefinement* refinement, VoronoiDiagram& diagram)
   : Mesh(mesh)
   , Distances(distances)
   , Cuts(cuts)
   , Refinement(refinement)
   , Diagram(diagram)
-  , Borders(borders)
 {
 }
 
@@ -104,7 +103,6 @@ void FaceCells::Cut(Id face)
   {
     cell.AddTo(this->Mesh, face, this->Diagram);
   }
-  this->AddPieces();
 }
 
 /// Collects the cuts of the sides, and the segments between them.
@@ -112,35 +110,31 @@ void FaceCells::WalkAround(Id face)
 {
   this->Around.clear();
   this->Owners.clear();
-  this->HalfEdges.clear();
-  const auto add = [this](const Point& point, Id owner, Id halfEdge) {
+  const auto add = [this](const Point& point, Id owner) {
     if (!this->Around.empty() && this->Around.back().Number == point.Number)
     {
       this->Owners.back() = owner;
-      this->HalfEdges.back() = halfEdge;
       return;
     }
     this->Around.push_back(point);
     this->Owners.push_back(owner);
-    this->HalfEdges.push_back(halfEdge);
   };
   for (int k = 0; k < 3; ++k)
   {
     this->Sides[k] = this->Cuts.Of(3 * face + k);
     const Id corner = this->Mesh.Origin(3 * face + k);
-    add({ corner, CoordinatesOfCorner(k) }, this->Diagram.NearestSites[corner], 3 * face + k);
+    add({ corner, CoordinatesOfCorner(k) }, this->Diagram.NearestSites[corner]);
     for (const EdgeCut& cut : this->Sides[k])
     {
       add({ cut.Point,
             Between(CoordinatesOfCorner(k), CoordinatesOfCorner((k + 1) % 3), cut.Parameter) },
-        cut.After, 3 * face + k);
+        cut.After);
     }
   }
   if (this->Around.back().Number == this->Around.front().Number)
   {
     this->Around.pop_back();
     this->Owners.pop_back();
-    this->HalfEdges.pop_back();
   }
 }
 
@@ -458,44 +452,6 @@ FaceCells::Point FaceCells::PointInside(
   this->Diagram.BorderDistances.push_back(distance);
   this->Refined.push_back({ number, place });
   return this->Refined.back();
-}
-
-/// Adds the borders of cells: within the face, and along its sides that belong to another cell.
-void FaceCells::AddPieces()
-{
-  std::vector<std::pair<std::array<Id, 2>, Id>> inside; // points and site
-  for (const Cell& cell : this->Cells)
-  {
-    for (std::size_t i = 0; i < cell.Points.size(); ++i)
-    {
-      const Id from = cell.Points[i].Number;
-      const Id to = cell.Points[(i + 1) % cell.Points.size()].Number;
-      const std::array<Id, 2> points{ { std::min(from, to), std::max(from, to) } };
-      std::size_t k = 0;
-      while (k < this->Around.size() &&
-        (this->Around[k].Number != from ||
-          this->Around[(k + 1) % this->Around.size()].Number != to))
-      {
-        ++k;
-      }
-      if (k == this->Around.size())
-      {
-        inside.emplace_back(points, cell.Site);
-      }
-      else if (this->Owners[k] != cell.Site)
-      {
-        this->Borders.AddSide({ points, cell.Site, this->Owners[k], this->HalfEdges[k] });
-      }
-    }
-  }
-  std::sort(inside.begin(), inside.end());
-  for (std::size_t i = 1; i < inside.size(); ++i)
-  {
-    if (inside[i].first == inside[i - 1].first)
-    {
-      this->Borders.AddPiece(inside[i - 1].second, inside[i].second, inside[i].first);
-    }
-  }
 }
 
 /// Adds a cell with the given points, without consecutive duplicates. Skipped if it has no area.

@@ -5,7 +5,6 @@
 #ifndef dggFaceCells_h
 #define dggFaceCells_h
 
-#include "dggBorderCurves.h"  // for borders
 #include "dggEdgeCuts.h"      // for the cuts
 #include "dggSiteDistances.h" // for the distances
 #include "dggVoronoi.h"       // for the diagram
@@ -46,10 +45,9 @@ struct FaceCell
 class FaceCells
 {
 public:
-  /// Polygons and border points are appended to the diagram, separating segments to the borders.
-  /// The refinement may be null.
+  /// Polygons and border points are appended to the diagram. The refinement may be null.
   FaceCells(const SurfaceMesh& mesh, const SiteDistances& distances, const EdgeCuts& cuts,
-    const BorderRefinement* refinement, VoronoiDiagram& diagram, BorderCurves& borders);
+    const BorderRefinement* refinement, VoronoiDiagram& diagram);
 
   /// Cuts a face, which must not be dropped (SurfaceMesh::IsDropped()).
   void Cut(Id face);
@@ -87,7 +85,6 @@ private:
   void CutPlainly(Id face);
   bool IsConsistent() const;
   void WalkAround(Id face);
-  void AddPieces();
   void AddCell(Id site, const std::vector<Point>& points);
 
   const SurfaceMesh& Mesh;
@@ -95,13 +92,11 @@ private:
   const EdgeCuts& Cuts;
   const BorderRefinement* Refinement;
   VoronoiDiagram& Diagram;
-  BorderCurves& Borders;
 
   // State of the current face.
   std::array<std::vector<EdgeCut>, 3> Sides;
   std::vector<Point> Around; ///< corners and cuts, in order around the face
   std::vector<Id> Owners;    ///< site of the segment from each of these points to the next
-  std::vector<Id> HalfEdges; ///< half-edge of each segment
   std::vector<Cell> Cells;
   std::vector<Site> Sites;
   std::vector<Point> Inside; ///< positions before refinement

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggVoronoi.h"
 
+#include "dggBorderCurves.h"
 #include "dggBorderRefinement.h"
 #include "dggEdgeCuts.h"
 #include "dggFaceCells.h"
@@ -104,8 +105,7 @@ Status Fill(const GraphSearch& search, const SurfaceMesh& mesh, const VoronoiInp
   EdgeCuts cuts(mesh);
   DGG_RETURN_IF_ERROR(cuts.Run(
     distances, refinement.get(), ProgressPart(progress, DistancesDone, CutsDone), diagram));
-  BorderCurves borders;
-  FaceCells cells(mesh, distances, cuts, refinement.get(), diagram, borders);
+  FaceCells cells(mesh, distances, cuts, refinement.get(), diagram);
   diagram.PolygonOffsets.push_back(0);
   const ProgressCallback rest = ProgressPart(progress, CutsDone, 1.0);
   for (Id f = 0; f < mesh.GetNumberOfFaces(); ++f)
@@ -119,8 +119,7 @@ Status Fill(const GraphSearch& search, const SurfaceMesh& mesh, const VoronoiInp
       cells.Cut(f);
     }
   }
-  diagram.CurveOffsets.push_back(0);
-  borders.AddTo(mesh, diagram);
+  AddBorderCurves(diagram);
   return Status::Success();
 }
 }

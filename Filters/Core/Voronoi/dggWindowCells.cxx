@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggWindowCells.h"
 
+#include "dggBorderCurves.h"
 #include "dggFaceCells.h"
 #include "dggFaceProfile.h"
 #include "dggPathEdges.h"
@@ -47,7 +48,6 @@ private:
   Id FindSite(const std::vector<Id>& cell) const;
   void AddCell(Id face, Id site, const std::vector<Id>& cell);
   std::vector<Id> FindOutline(const std::vector<Id>& cell) const;
-  void AddCurves();
 
   FaceCell MakeCell(Id site, const std::vector<Id>& points) const
   {
@@ -69,7 +69,6 @@ private:
   VoronoiDiagram& Diagram;
   FaceProfile Profile;
   const PathEdges Borders;
-  std::vector<Id> SiteOf;           // per face of the surface
   std::vector<Id> CellOf;           // per face of the surface, a face of its cell
   std::map<Id, Coordinates> Places; // vertices of the pieces of a face
 };
@@ -77,8 +76,7 @@ private:
 Status CellMaker::Run(const ProgressCallback& progress)
 {
   this->SetUpPoints();
-  this->SiteOf.assign(this->Surface.GetNumberOfFaces(), NoId);
-  this->CellOf = this->SiteOf;
+  this->CellOf.assign(this->Surface.GetNumberOfFaces(), NoId);
   std::vector<std::vector<Id>> pieces(this->Field.Mesh->GetNumberOfFaces());
   for (Id piece = 0; piece < this->Surface.GetNumberOfFaces(); ++piece)
   {
@@ -97,7 +95,7 @@ Status CellMaker::Run(const ProgressCallback& progress)
       this->Cut(face, pieces[face]);
     }
   }
-  this->AddCurves();
+  AddBorderCurves(this->Diagram);
   return ReportTo(progress, 1.0);
 }
 
@@ -202,10 +200,6 @@ Id CellMaker::FindSite(const std::vector<Id>& cell) const
 /// Adds a cell as one polygon or, if it surrounds another one, as triangles.
 void CellMaker::AddCell(Id face, Id site, const std::vector<Id>& cell)
 {
-  for (const Id piece : cell)
-  {
-    this->SiteOf[piece] = site;
-  }
   const std::vector<Id> outline = this->FindOutline(cell);
   if (!outline.empty())
   {
@@ -243,27 +237,6 @@ std::vector<Id> CellMaker::FindOutline(const std::vector<Id>& cell) const
   return outline.size() == next.size() ? outline : std::vector<Id>();
 }
 
-/// Adds the edges between pieces of different sites.
-void CellMaker::AddCurves()
-{
-  BorderCurves curves;
-  for (Id h = 0; h < this->Surface.GetNumberOfHalfEdges(); ++h)
-  {
-    const Id site = this->SiteOf[SurfaceMesh::Face(h)];
-    const std::array<Id, 2> ends{ { std::min(this->Surface.Origin(h), this->Surface.Destination(h)),
-      std::max(this->Surface.Origin(h), this->Surface.Destination(h)) } };
-    for (Id e = this->Surface.Twin(h); e != NoId && e != h; e = this->Surface.Twin(e))
-    {
-      const Id other = this->SiteOf[SurfaceMesh::Face(e)];
-      if (site != NoId && other != NoId)
-      {
-        curves.AddPiece(site, other, ends);
-      }
-    }
-  }
-  this->Diagram.CurveOffsets.push_back(0);
-  curves.AddTo(*this->Field.Mesh, this->Diagram);
-}
 }
 
 Status ComputeWindowCells(const DistanceField& field, double tolerance, const ParallelFor& parallel,
