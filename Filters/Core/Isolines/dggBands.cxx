@@ -8,9 +8,7 @@
 #include "dggSurfaceRefinement.h"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
-#include <string>
 #include <utility>
 
 namespace dgg
@@ -23,31 +21,6 @@ constexpr double CornersDone = 0.8;
 /// Distance below which points of lines in a face become one vertex, in barycentric coordinates
 /// (dggSurfaceRefinement.h).
 constexpr double MergeDistance = 2e-9;
-
-Status CheckArguments(
-  const DistanceField& field, const std::vector<double>& levels, const Isolines& lines)
-{
-  if (!field.Mesh || !field.Distances)
-  {
-    return InvalidInput("There is no distance").Fix("Set Mesh and Distances of the field");
-  }
-  for (std::size_t i = 0; i < levels.size(); ++i)
-  {
-    if (!std::isfinite(levels[i]))
-    {
-      return InvalidInput("Value ", i, " of the bands is ", levels[i]).Fix("Use a finite number");
-    }
-  }
-  const bool haveLevels = lines.Levels.size() == lines.Lines.size() &&
-    std::all_of(lines.Levels.begin(), lines.Levels.end(),
-      [&](Id level) { return level >= 0 && level < static_cast<Id>(levels.size()); });
-  if (!haveLevels)
-  {
-    return InvalidInput("The isolines were traced for other values")
-      .Fix("Trace the isolines again");
-  }
-  return Status::Success();
-}
 
 /// Returns the lines without the lines of repeated levels. Lines of repeated levels coincide with
 /// the first ones, and all of them would be intersected with each other.
@@ -243,19 +216,7 @@ Status MakeBands(const DistanceField& field, const std::vector<double>& levels,
   const Isolines& lines, const ProgressCallback& progress, Bands& bands)
 {
   bands = Bands();
-  DGG_RETURN_IF_ERROR(CheckArguments(field, levels, lines));
-  auto stop = [&](double done) {
-    const bool isStopped = progress && !progress(done);
-    if (isStopped)
-    {
-      bands = Bands();
-    }
-    return isStopped;
-  };
-  if (stop(0.0))
-  {
-    return Status::Abort();
-  }
+  DGG_RETURN_IF_ERROR(ReportTo(progress, 0.0));
   bands.Levels = levels;
   std::sort(bands.Levels.begin(), bands.Levels.end());
   bands.Levels.erase(std::unique(bands.Levels.begin(), bands.Levels.end()), bands.Levels.end());
@@ -266,23 +227,12 @@ Status MakeBands(const DistanceField& field, const std::vector<double>& levels,
   RefinementOptions options;
   options.InsertCrossings = true;
   options.Progress = ProgressPart(progress, 0.0, CutDone);
-  Status status = RefineAlongPaths(*field.Mesh, cuts.Lines, options, bands.Surface);
-  if (!status.IsOk())
-  {
-    bands = Bands();
-    return status;
-  }
-  if (stop(CutDone))
-  {
-    return Status::Abort();
-  }
+  DGG_RETURN_IF_ERROR(RefineAlongPaths(*field.Mesh, cuts.Lines, options, bands.Surface));
+  DGG_RETURN_IF_ERROR(ReportTo(progress, CutDone));
   BandFinder finder(field, bands);
   finder.FindDistances(levels, cuts.Levels);
-  if (stop(CornersDone))
-  {
-    return Status::Abort();
-  }
+  DGG_RETURN_IF_ERROR(ReportTo(progress, CornersDone));
   finder.FindBands();
-  return stop(1.0) ? Status::Abort() : status;
+  return ReportTo(progress, 1.0);
 }
 }

@@ -30,7 +30,7 @@ struct Bands
 /// band. If levels are equal, the mesh is cut only by the lines of the first one.
 ///
 /// Bands change only across isolines, provided that the isolines are complete. Faces whose corners
-/// are undecided take the band of their neighbors.
+/// are undecided take the band of their neighbors. After a failure, `bands` must not be used.
 DGG_CORE_EXPORT Status MakeBands(const DistanceField& field, const std::vector<double>& levels,
   const Isolines& lines, const ProgressCallback& progress, Bands& bands);
 }

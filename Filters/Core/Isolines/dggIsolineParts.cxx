@@ -143,11 +143,10 @@ Status JoinFaceCurves(const SurfaceMesh& mesh, const std::vector<LevelCrossing>&
   const Drawing drawing(mesh, crossings, curves);
   for (std::size_t i = 0; i < chains.size(); ++i)
   {
-    if (i % ProgressInterval == 0 && progress &&
-      !progress(static_cast<double>(i) / static_cast<double>(chains.size())))
+    if (i % ProgressInterval == 0)
     {
-      lines = Isolines();
-      return Status::Abort();
+      DGG_RETURN_IF_ERROR(
+        ReportTo(progress, static_cast<double>(i) / static_cast<double>(chains.size())));
     }
     SurfacePath line = drawing.Draw(chains[i]);
     if (!line.Faces.empty())

@@ -119,7 +119,7 @@ Status CollectCrossings(const SurfaceMesh& mesh, Offset blockSize, const Paralle
 /// Joins the curves of faces at shared crossings, sorted by level, then curve. A line ends at a
 /// crossing that is not shared by exactly two curves: on the boundary, and on non-manifold edges. A
 /// line has the direction of its first curve. Lines that collapse to a point because they snap to a
-/// vertex are discarded. Fails when stopped; the result is then empty.
+/// vertex are discarded. Fails when stopped; the result must then not be used.
 Status JoinFaceCurves(const SurfaceMesh& mesh, const std::vector<LevelCrossing>& crossings,
   const std::vector<FaceCurve>& curves, const ProgressCallback& progress, Isolines& lines);
 }

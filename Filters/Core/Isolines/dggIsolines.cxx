@@ -9,9 +9,7 @@
 
 #include <algorithm>
 #include <atomic>
-#include <cmath>
 #include <numeric>
-#include <string>
 
 namespace dgg
 {
@@ -23,34 +21,6 @@ constexpr double DefaultTolerance = 1e-3; // in mean edge lengths
 /// Progress after each step.
 constexpr double CrossingsDone = 0.3;
 constexpr double FacesDone = 0.9;
-
-Status CheckArguments(
-  const DistanceField& field, const std::vector<double>& levels, const IsolineOptions& options)
-{
-  if (!field.Mesh || !field.Distances)
-  {
-    return InvalidInput("There is no distance").Fix("Set Mesh and Distances of the field");
-  }
-  for (std::size_t i = 0; i < levels.size(); ++i)
-  {
-    if (!std::isfinite(levels[i]))
-    {
-      return InvalidInput("Value ", i, " of the isolines is ", levels[i])
-        .Fix("Use a finite number");
-    }
-  }
-  if (!(options.ChordTolerance >= 0.0))
-  {
-    return InvalidValue("ChordTolerance", options.ChordTolerance).Fix("Use a number of at least 0");
-  }
-  if (options.Method == IsolineMethod::Apollonius &&
-    (options.SteinerPoints < 0 || options.SteinerPoints > MaximumSteinerPoints))
-  {
-    return InvalidValue("SteinerPoints", options.SteinerPoints)
-      .Fix("Use a number from 0 to ", MaximumSteinerPoints);
-  }
-  return CheckCorners(*field.Mesh);
-}
 
 /// State that is reused between edges.
 struct EdgeWorker
@@ -123,7 +93,7 @@ Status TraceIsolines(const DistanceField& field, const std::vector<double>& leve
   Isolines& lines)
 {
   lines = Isolines();
-  DGG_RETURN_IF_ERROR(CheckArguments(field, levels, options));
+  DGG_RETURN_IF_ERROR(CheckCorners(*field.Mesh));
   std::vector<Id> order(levels.size());
   std::iota(order.begin(), order.end(), 0);
   std::stable_sort(order.begin(), order.end(), [&](Id a, Id b) { return levels[a] < levels[b]; });
@@ -151,11 +121,6 @@ Status TraceIsolines(const DistanceField& field, const std::vector<double>& leve
     level = order[level];
   }
   lines.Fallbacks = fallbacks;
-  if (progress && !progress(1.0))
-  {
-    lines = Isolines();
-    return Status::Abort();
-  }
-  return Status::Success();
+  return ReportTo(progress, 1.0);
 }
 }

@@ -27,11 +27,12 @@ constexpr int MaximumSteinerPoints = 50;
 struct IsolineOptions
 {
   IsolineMethod Method = IsolineMethod::LocalSources;
-  /// Largest distance of a line from the level set, model units; 0 means a thousandth of the mean
-  /// edge length.
+  /// Largest distance of a line from the level set, model units, at least 0; 0 means a thousandth
+  /// of the mean edge length.
   double ChordTolerance = 0.0;
-  /// Number of points per edge at which the distance is sampled, the accuracy setting of Apollonius
-  /// (ChordTolerance applies to LocalSources only). More points approximate the field better.
+  /// Number of points per edge at which the distance is sampled, from 0 to MaximumSteinerPoints:
+  /// the accuracy setting of Apollonius (ChordTolerance applies to LocalSources only). More points
+  /// approximate the field better.
   int SteinerPoints = 2;
 };
 
@@ -58,7 +59,7 @@ struct Isolines
 /// points of the line. Lower distances are on the left of a line, with respect to the orientation
 /// of its first face.
 ///
-/// The result does not depend on `parallel`.
+/// The result does not depend on `parallel`. After a failure, `lines` must not be used.
 DGG_CORE_EXPORT Status TraceIsolines(const DistanceField& field, const std::vector<double>& levels,
   const IsolineOptions& options, const ParallelFor& parallel, const ProgressCallback& progress,
   Isolines& lines);

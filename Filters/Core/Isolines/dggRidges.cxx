@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
 #include <utility>
 
 namespace dgg
@@ -25,30 +24,6 @@ constexpr double SmallestAngleOfModels = 10.0 * Pi / 180.0;
 constexpr double FacesDone = 0.9; // progress after the faces
 /// Points that two faces find on their edge are merged within this distance, in edge lengths.
 constexpr double MergeDistance = 1e-4;
-
-Status CheckArguments(const DistanceField& field, const RidgeOptions& options)
-{
-  if (!field.Mesh || !field.Distances)
-  {
-    return InvalidInput("There is no distance").Fix("Set Mesh and Distances of the field");
-  }
-  if (!field.HasWindows() && !field.HasSources())
-  {
-    return InvalidInput("Distances at vertices alone do not determine ridges")
-      .Fix("Pass the windows of exact distances, or virtual sources");
-  }
-  if (!(options.MinimumAngle >= 0.0 && options.MinimumAngle <= Pi))
-  {
-    return InvalidInput("The minimum angle of ridges is ", options.MinimumAngle)
-      .At("MinimumRidgeAngle")
-      .Fix("Use an angle from 0 to pi");
-  }
-  if (!(options.ChordTolerance >= 0.0))
-  {
-    return InvalidValue("ChordTolerance", options.ChordTolerance).Fix("Use a number of at least 0");
-  }
-  return CheckCorners(*field.Mesh);
-}
 
 /// Ridge segments and their connectivity. Nodes are points of a surface; arcs are polylines within
 /// one face.
@@ -410,7 +385,7 @@ Status FindRidges(const DistanceField& field, const RidgeOptions& options,
   const ParallelFor& parallel, const ProgressCallback& progress, Ridges& ridges)
 {
   ridges = Ridges();
-  DGG_RETURN_IF_ERROR(CheckArguments(field, options));
+  DGG_RETURN_IF_ERROR(CheckCorners(*field.Mesh));
   RidgeOptions limited = options;
   limited.MinimumAngle =
     std::max(field.HasWindows() ? SmallestAngle : SmallestAngleOfModels, options.MinimumAngle);
@@ -442,11 +417,6 @@ Status FindRidges(const DistanceField& field, const RidgeOptions& options,
   {
     ridges.Fallbacks += number;
   }
-  if (progress && !progress(1.0))
-  {
-    ridges = Ridges();
-    return Status::Abort();
-  }
-  return Status::Success();
+  return ReportTo(progress, 1.0);
 }
 }

@@ -22,8 +22,8 @@ struct RidgeOptions
   /// sources, values below ten degrees are raised to ten degrees, because smaller angles are
   /// transitions between models.
   double MinimumAngle = 20.0 * Pi / 180.0;
-  /// Largest distance of a line from the ridge, model units; 0 means a thousandth of the mean edge
-  /// length.
+  /// Largest distance of a line from the ridge, model units, at least 0; 0 means a thousandth of
+  /// the mean edge length.
   double ChordTolerance = 0.0;
   /// If true, find the lines between points with different nearest sources instead, at any angle.
   /// Needs windows and DistanceField::NearestSource. Lines along edges are not found.
@@ -49,7 +49,7 @@ struct Ridges
 /// The field must have windows or virtual sources: values at vertices do not determine ridges. With
 /// virtual sources, only ridges of large angles are found, with gaps.
 ///
-/// The result does not depend on `parallel`.
+/// The result does not depend on `parallel`. After a failure, `ridges` must not be used.
 DGG_CORE_EXPORT Status FindRidges(const DistanceField& field, const RidgeOptions& options,
   const ParallelFor& parallel, const ProgressCallback& progress, Ridges& ridges);
 }
