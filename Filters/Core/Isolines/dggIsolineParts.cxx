@@ -61,71 +61,43 @@ std::vector<PieceChain> JoinCurves(const std::vector<FaceCurve>& curves)
   return sorted;
 }
 
-/// Converts chains of curves into lines.
-class Drawing
+/// Converts a chain of curves into a line.
+SurfacePath Draw(const SurfaceMesh& mesh, const std::vector<LevelCrossing>& crossings,
+  const std::vector<FaceCurve>& curves, const PieceChain& chain)
 {
-public:
-  Drawing(const SurfaceMesh& mesh, const std::vector<LevelCrossing>& crossings,
-    const std::vector<FaceCurve>& curves)
-    : Mesh(mesh)
-    , Crossings(crossings)
-    , Curves(curves)
-  {
-  }
-
-  SurfacePath Draw(const PieceChain& chain) const
-  {
-    SurfacePath line;
-    for (const PiecePassage& passage : chain.Passages)
-    {
-      const FaceCurve& curve = this->Curves[passage.Piece];
-      if (curve.First != NoId)
-      {
-        this->Append(
-          this->PointOf(passage.IsBackward ? curve.Last : curve.First), curve.Face, line);
-      }
-      for (std::size_t i = 0; i < curve.Points.size(); ++i)
-      {
-        const std::size_t at = passage.IsBackward ? curve.Points.size() - 1 - i : i;
-        this->Append(
-          SurfacePoint::InTriangle(this->Mesh, curve.Face, ClampedToFace(curve.Points[at])),
-          curve.Face, line);
-      }
-      if (curve.First != NoId)
-      {
-        this->Append(
-          this->PointOf(passage.IsBackward ? curve.First : curve.Last), curve.Face, line);
-      }
-    }
-    if (chain.IsClosed && !line.Points.empty())
-    {
-      this->Append(
-        SurfacePoint(line.Points.front()), this->Curves[chain.Passages.back().Piece].Face, line);
-    }
-    return line;
-  }
-
-private:
-  SurfacePoint PointOf(Id crossing) const
-  {
-    const LevelCrossing& c = this->Crossings[crossing];
-    return SurfacePoint::OnEdge(
-      this->Mesh, c.HalfEdge, std::min(1.0, std::max(0.0, c.X / this->Mesh.Length(c.HalfEdge))));
-  }
-
-  /// Appends a point unless it equals the last point of the line.
-  void Append(const SurfacePoint& point, Id face, SurfacePath& line) const
-  {
+  SurfacePath line;
+  const auto append = [&](const SurfacePoint& point, Id face) {
     if (line.Points.empty() || !IsSamePoint(line.Points.back(), point))
     {
-      line.Append(this->Mesh, point, face);
+      line.Append(mesh, point, face);
     }
+  };
+  const auto appendCrossing = [&](Id crossing, Id face) {
+    if (crossing != NoId)
+    {
+      const LevelCrossing& c = crossings[crossing];
+      const double t = std::min(1.0, std::max(0.0, c.X / mesh.Length(c.HalfEdge)));
+      append(SurfacePoint::OnEdge(mesh, c.HalfEdge, t), face);
+    }
+  };
+  for (const PiecePassage& passage : chain.Passages)
+  {
+    const FaceCurve& curve = curves[passage.Piece];
+    appendCrossing(passage.IsBackward ? curve.Last : curve.First, curve.Face);
+    for (std::size_t i = 0; i < curve.Points.size(); ++i)
+    {
+      const std::size_t at = passage.IsBackward ? curve.Points.size() - 1 - i : i;
+      append(
+        SurfacePoint::InTriangle(mesh, curve.Face, ClampedToFace(curve.Points[at])), curve.Face);
+    }
+    appendCrossing(passage.IsBackward ? curve.First : curve.Last, curve.Face);
   }
-
-  const SurfaceMesh& Mesh;
-  const std::vector<LevelCrossing>& Crossings;
-  const std::vector<FaceCurve>& Curves;
-};
+  if (chain.IsClosed && !line.Points.empty())
+  {
+    append(SurfacePoint(line.Points.front()), curves[chain.Passages.back().Piece].Face);
+  }
+  return line;
+}
 }
 
 bool IsEdgeReached(const DistanceField& field, Id h)
@@ -140,7 +112,6 @@ Status JoinFaceCurves(const SurfaceMesh& mesh, const std::vector<LevelCrossing>&
   const std::vector<FaceCurve>& curves, const ProgressCallback& progress, Isolines& lines)
 {
   const std::vector<PieceChain> chains = JoinCurves(curves);
-  const Drawing drawing(mesh, crossings, curves);
   for (std::size_t i = 0; i < chains.size(); ++i)
   {
     if (i % ProgressInterval == 0)
@@ -148,7 +119,7 @@ Status JoinFaceCurves(const SurfaceMesh& mesh, const std::vector<LevelCrossing>&
       DGG_RETURN_IF_ERROR(
         ReportTo(progress, static_cast<double>(i) / static_cast<double>(chains.size())));
     }
-    SurfacePath line = drawing.Draw(chains[i]);
+    SurfacePath line = Draw(mesh, crossings, curves, chains[i]);
     if (!line.Faces.empty())
     {
       lines.Lines.push_back(std::move(line));

@@ -44,7 +44,7 @@ void MarchingTriangles::Build(const FaceProfile& profile, const LevelArc& arc, d
   this->Links.clear();
   this->Triangles.clear();
   this->Chains.clear();
-  this->AddRim(profile, arc, rim, cells);
+  this->AddRim(profile, arc, level, rim, cells);
   this->AddTriangles(profile, arc, level, cells);
   for (const Point2& seed : seeds)
   {
@@ -66,13 +66,12 @@ Id MarchingTriangles::AddNode(const LevelArc& arc, double level, const Point2& p
 
 /// Adds the nodes on the boundary, and the crossings between them.
 void MarchingTriangles::AddRim(
-  const FaceProfile& profile, const LevelArc& arc, const LevelRim& rim, int cells)
+  const FaceProfile& profile, const LevelArc& arc, double level, const LevelRim& rim, int cells)
 {
   const std::array<Point2, 3>& corners = profile.GetCorners();
   for (const Point2& corner : corners)
   {
-    this->Nodes.emplace_back();
-    this->Nodes.back().Point = arc.Evaluate(corner);
+    this->AddNode(arc, level, corner);
   }
   for (int k = 0; k < 3; ++k)
   {
@@ -88,13 +87,11 @@ void MarchingTriangles::AddRim(
     Id previous = k;
     std::size_t next = 0;
     auto step = [&](double t) {
-      const Point2 place{ from.X + t * (to.X - from.X), from.Y + t * (to.Y - from.Y) };
-      this->Nodes.emplace_back();
-      Node& node = this->Nodes.back();
-      node.Point = arc.Evaluate(place);
-      node.IsAbove = isAbove;
-      node.IsOnSide[k] = true;
-      return static_cast<Id>(this->Nodes.size()) - 1;
+      const Id node =
+        this->AddNode(arc, level, { from.X + t * (to.X - from.X), from.Y + t * (to.Y - from.Y) });
+      this->Nodes[node].IsAbove = isAbove;
+      this->Nodes[node].IsOnSide[k] = true;
+      return node;
     };
     auto connect = [&](Id node, const RimCrossing* crossing) {
       if (crossing)
@@ -230,11 +227,18 @@ void MarchingTriangles::InsertSeed(const LevelArc& arc, double level, const Poin
       this->CutSide(triangle[nearest], triangle[(nearest + 1) % 3], node);
       return;
     }
-    this->Triangles[t] = { { triangle[0], triangle[1], node } };
-    this->Triangles.push_back({ { triangle[1], triangle[2], node } });
-    this->Triangles.push_back({ { triangle[2], triangle[0], node } });
+    this->Divide(t, node);
     return;
   }
+}
+
+/// Divides a triangle at a node inside it.
+void MarchingTriangles::Divide(std::size_t t, Id node)
+{
+  const Triangle triangle = this->Triangles[t];
+  this->Triangles[t] = { { triangle[0], triangle[1], node } };
+  this->Triangles.push_back({ { triangle[1], triangle[2], node } });
+  this->Triangles.push_back({ { triangle[2], triangle[0], node } });
 }
 
 /// Divides the triangles on both sides of edge ab at a node between a and b.
@@ -324,10 +328,7 @@ bool MarchingTriangles::CutAtMeeting(const LevelArc& arc, double level, std::siz
   {
     return false;
   }
-  const Id node = this->AddNode(arc, level, meeting);
-  this->Triangles[t] = { { triangle[0], triangle[1], node } };
-  this->Triangles.push_back({ { triangle[1], triangle[2], node } });
-  this->Triangles.push_back({ { triangle[2], triangle[0], node } });
+  this->Divide(t, this->AddNode(arc, level, meeting));
   return true;
 }
 

@@ -78,11 +78,13 @@ private:
   using Side = std::pair<Id, Id>; // between two nodes, the lower one first
 
   Id AddNode(const LevelArc& arc, double level, const Point2& place);
-  void AddRim(const FaceProfile& profile, const LevelArc& arc, const LevelRim& rim, int cells);
+  void AddRim(
+    const FaceProfile& profile, const LevelArc& arc, double level, const LevelRim& rim, int cells);
   void AddTriangles(const FaceProfile& profile, const LevelArc& arc, double level, int cells);
   void AddCell(const LevelArc& arc, double level, const Triangle& corners,
     const std::array<const std::vector<Id>*, 3>& between);
   void InsertSeed(const LevelArc& arc, double level, const Point2& seed);
+  void Divide(std::size_t t, Id node);
   void CutSide(Id a, Id b, Id node);
   void AddTurns(const LevelArc& arc, double level);
   bool CutAtTurns(const LevelArc& arc, double level, Id a, Id b);
