@@ -9,8 +9,9 @@
 #include "dggProgressPart.h"
 #include "dggStraightWalk.h"
 
+#include <Eigen/LU>
+
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
 #include <memory>
@@ -40,56 +41,23 @@ struct PlanarImage
 };
 
 /// Least squares over the neighbors of a vertex: (x, y, 1) . (a, b, c) = value.
-class PlaneFit
+struct PlaneFit
 {
-public:
+  Eigen::Matrix3d Matrix = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d Right = Eigen::Vector3d::Zero();
+
   void Add(const Point2& p, double value)
   {
-    const std::array<double, 3> row{ { p.X, p.Y, 1.0 } };
-    for (int i = 0; i < 3; ++i)
-    {
-      for (int j = 0; j < 3; ++j)
-      {
-        this->Matrix[i][j] += row[i] * row[j];
-      }
-      this->Right[i] += row[i] * value;
-    }
+    const Eigen::Vector3d row(p.X, p.Y, 1.0);
+    this->Matrix += row * row.transpose();
+    this->Right += value * row;
   }
 
-  /// Returns false if the points do not determine a plane.
-  bool Solve(std::array<double, 3>& solution) const
+  /// Returns true if the points determine a plane.
+  bool IsSolvable() const
   {
-    const auto& m = this->Matrix;
-    const double scale = m[0][0] * m[1][1] * m[2][2];
-    const double determinant = Determinant(m);
-    if (!(determinant > 1e-6 * scale))
-    {
-      return false;
-    }
-    for (int k = 0; k < 3; ++k)
-    {
-      auto replaced = m;
-      for (int i = 0; i < 3; ++i)
-      {
-        replaced[i][k] = this->Right[i];
-      }
-      solution[k] = Determinant(replaced) / determinant;
-    }
-    return true;
+    return this->Matrix.determinant() > 1e-6 * this->Matrix.diagonal().prod();
   }
-
-private:
-  using Square = std::array<std::array<double, 3>, 3>;
-
-  static double Determinant(const Square& m)
-  {
-    return m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) -
-      m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) +
-      m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
-  }
-
-  Square Matrix{};
-  std::array<double, 3> Right{};
 };
 
 /// Finds the point at equal distances from three images. Returns false if they are collinear.
@@ -503,11 +471,11 @@ private:
         distances[t] * distances[t] - length * length);
     }
     std::vector<PlanarImage> images;
-    for (const auto& fit : fits)
+    for (const auto& [sample, fit] : fits)
     {
-      std::array<double, 3> s{};
-      if (fit.second.Solve(s))
+      if (fit.IsSolvable())
       {
+        const Eigen::Vector3d s = fit.Matrix.inverse() * fit.Right;
         images.push_back({ { -0.5 * s[0], -0.5 * s[1] }, s[2] });
       }
     }
