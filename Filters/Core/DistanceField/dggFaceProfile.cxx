@@ -289,7 +289,12 @@ FieldSample FaceProfile::SampleAt(const Point2& p) const
   {
     return this->FromWindows(p);
   }
-  return this->HasModels ? this->FromModels(p) : this->Linear(p);
+  if (!this->HasModels)
+  {
+    return this->Linear(p);
+  }
+  const std::array<double, 3> b = this->BarycentricOf(p);
+  return this->SampleOf(this->FindNearest(p, b).Candidate, p, b);
 }
 
 /// Returns the field of the path through a corner.
@@ -357,13 +362,11 @@ FaceProfile::Wave FaceProfile::FromModel(
   int k, const Point2& p, const std::array<double, 3>& barycentric) const
 {
   Wave wave;
-  wave.Corner = k;
   int nearest = -1;
   const double length = this->DistanceToSource(k, p, nearest);
   if (nearest >= 0)
   {
     wave.Distance = this->Models[k].Offset + length;
-    wave.Image = this->Seen[k].Sources[nearest].Image;
     wave.Candidate = FirstImageCandidate + 2 * k + nearest;
     if (!this->IsRaised[k])
     {
@@ -378,21 +381,30 @@ FaceProfile::Wave FaceProfile::FromModel(
   if (over < wave.Distance)
   {
     wave.Distance = over;
-    wave.IsOverCorner = true;
-    wave.Image = this->Corners[k];
     wave.Candidate = k;
   }
   return wave;
 }
 
+/// Returns the field of one candidate of the models; undefined for NoId.
 FieldSample FaceProfile::SampleOf(
-  const Wave& wave, const Point2& p, const std::array<double, 3>& b) const
+  Id candidate, const Point2& p, const std::array<double, 3>& b) const
 {
-  const int k = wave.Corner;
-  FieldSample sample =
-    FromSource(wave.Image, wave.IsOverCorner ? this->Distances[k] : this->Models[k].Offset, p);
-  const std::array<double, 3>& missing =
-    wave.IsOverCorner ? this->MissingOver[k] : this->Missing[k];
+  if (candidate == NoId)
+  {
+    return FieldSample();
+  }
+  if (candidate >= LeastCandidate)
+  {
+    return this->FromLowerBound(candidate - LeastCandidate, p);
+  }
+  const bool isOverCorner = candidate < FirstImageCandidate;
+  const int k = isOverCorner ? candidate : (candidate - FirstImageCandidate) / 2;
+  FieldSample sample = isOverCorner
+    ? FromSource(this->Corners[k], this->Distances[k], p)
+    : FromSource(this->Seen[k].Sources[(candidate - FirstImageCandidate) % 2].Image,
+        this->Models[k].Offset, p);
+  const std::array<double, 3>& missing = isOverCorner ? this->MissingOver[k] : this->Missing[k];
   sample.Distance = Raised(sample.Distance, missing, b);
   for (int j = 0; j < 3; ++j)
   {
@@ -400,7 +412,7 @@ FieldSample FaceProfile::SampleOf(
     sample.Gradient.Y += missing[j] * this->Rises[j].Y;
     sample.HasImage = sample.HasImage && missing[j] <= this->Negligible;
   }
-  sample.Candidate = wave.Candidate;
+  sample.Candidate = candidate;
   return sample;
 }
 
@@ -435,16 +447,6 @@ double FaceProfile::At(const Point2& p) const
                          : this->SampleAt(p).Distance;
 }
 
-FieldSample FaceProfile::FromModels(const Point2& p) const
-{
-  const std::array<double, 3> b = this->BarycentricOf(p);
-  const Wave nearest = this->FindNearest(p, b);
-  return nearest.Candidate == NoId ? FieldSample()
-    : nearest.Candidate >= LeastCandidate
-    ? this->FromLowerBound(nearest.Candidate - LeastCandidate, p)
-    : this->SampleOf(nearest, p, b);
-}
-
 FieldSample FaceProfile::FromLowerBound(int k, const Point2& p) const
 {
   const Point2 way = Difference(this->Corners[k], p);
@@ -458,23 +460,8 @@ FieldSample FaceProfile::FromLowerBound(int k, const Point2& p) const
 
 FieldSample FaceProfile::SampleOfCandidate(const FieldSample& sample, const Point2& p) const
 {
-  if (sample.HasImage)
-  {
-    return FromSource(sample.Image, sample.Offset, p);
-  }
-  const Id candidate = sample.Candidate;
-  if (candidate >= LeastCandidate)
-  {
-    return this->FromLowerBound(candidate - LeastCandidate, p);
-  }
-  Wave wave;
-  wave.Candidate = candidate;
-  wave.IsOverCorner = candidate < FirstImageCandidate;
-  wave.Corner = wave.IsOverCorner ? candidate : (candidate - FirstImageCandidate) / 2;
-  wave.Image = wave.IsOverCorner
-    ? this->Corners[wave.Corner]
-    : this->Seen[wave.Corner].Sources[(candidate - FirstImageCandidate) % 2].Image;
-  return this->SampleOf(wave, p, this->BarycentricOf(p));
+  return sample.HasImage ? FromSource(sample.Image, sample.Offset, p)
+                         : this->SampleOf(sample.Candidate, p, this->BarycentricOf(p));
 }
 
 FieldSample FaceProfile::Linear(const Point2& p) const

@@ -82,14 +82,11 @@ private:
     int Count = 0;
   };
 
-  /// Prediction of a corner at a point: a sample without the gradient, which is needed only for the
-  /// smallest of the three predictions.
+  /// Prediction of a corner at a point, without the gradient, which is needed only for the smallest
+  /// of the three predictions.
   struct Wave
   {
     double Distance = Infinity;
-    int Corner = 0;
-    bool IsOverCorner = false;
-    Point2 Image;
     Id Candidate = NoId;
   };
 
@@ -102,8 +99,7 @@ private:
   FieldSample FromWindows(const Point2& p) const;
   Wave FromModel(int k, const Point2& p, const std::array<double, 3>& barycentric) const;
   Wave FindNearest(const Point2& p, const std::array<double, 3>& barycentric) const;
-  FieldSample SampleOf(const Wave& wave, const Point2& p, const std::array<double, 3>& b) const;
-  FieldSample FromModels(const Point2& p) const;
+  FieldSample SampleOf(Id candidate, const Point2& p, const std::array<double, 3>& b) const;
   FieldSample FromLowerBound(int k, const Point2& p) const;
   FieldSample Linear(const Point2& p) const;
   Id SourceOf(Id root) const;

@@ -55,21 +55,15 @@ struct Guess
 /// Direction of steepest descent at a vertex.
 struct SteepestDescent
 {
-  double Slope = 0.0;   // 0 at a local minimum
-  double Angle = 0.0;   // polar angle at the vertex
-  bool IsKnown = false; // true if the vertex and a neighbor have values
+  double Slope = 0.0; // 0 at a local minimum
+  double Angle = 0.0; // polar angle at the vertex
 };
 
 /// Returns the steepest descent of a field that is linear in faces. Non-finite values are ignored.
 SteepestDescent FindSteepestDescent(const SurfaceMesh& mesh, const double* values, Id v)
 {
   SteepestDescent best;
-  if (!std::isfinite(values[v]))
-  {
-    return best;
-  }
   auto take = [&](double slope, double angle) {
-    best.IsKnown = true;
     if (slope > best.Slope)
     {
       best.Slope = slope;
