@@ -51,10 +51,10 @@ void EdgeProfile::Enter(Id h)
   this->Length = mesh.Length(representative);
   this->Ends = { { this->Field.Distances[mesh.Origin(representative)],
     this->Field.Distances[mesh.Destination(representative)] } };
-  this->Pieces.clear();
   this->Breaks.clear();
   if (this->Field.HasWindows())
   {
+    this->Pieces.clear();
     ForEachHalfEdge(mesh, representative, [&](Id e) {
       this->CollectWindows(e);
       this->CollectSources(e);
@@ -68,7 +68,11 @@ void EdgeProfile::Enter(Id h)
   else
   {
     this->SetUpFaces();
-    this->FindModelBreaks();
+    const int count = this->Field.HasSources() ? NumberOfModelBreaks : 1;
+    for (int i = 0; i <= count; ++i)
+    {
+      this->Breaks.push_back(i == count ? this->Length : this->Length * i / count);
+    }
   }
   this->FindSteepness();
   BreakState state;
@@ -165,12 +169,14 @@ void EdgeProfile::FindWindowBreaks()
   std::sort(ends.begin(), ends.end());
   ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
   this->Breaks = ends;
+  std::vector<Piece> pieces;
+  std::vector<double> inside;
   for (std::size_t i = 1; i < ends.size(); ++i)
   {
-    std::vector<Piece> pieces = paths;
+    pieces = paths;
+    inside.clear();
     std::copy_if(this->Pieces.begin(), this->Pieces.end(), std::back_inserter(pieces),
       [&](const Piece& piece) { return piece.Begin <= ends[i - 1] && piece.End >= ends[i]; });
-    std::vector<double> inside;
     this->Divide(pieces, ends[i - 1], ends[i], inside);
     this->Breaks.insert(this->Breaks.end(), inside.begin(), inside.end());
   }
@@ -185,16 +191,15 @@ void EdgeProfile::FindWindowBreaks()
   this->Breaks.erase(std::unique(this->Breaks.begin(), this->Breaks.end()), this->Breaks.end());
 }
 
-double EdgeProfile::DistanceOf(const Piece& piece, double x) const
+double EdgeProfile::DistanceOf(const Piece& piece, double x)
 {
   return piece.Offset + DistanceToAxis(piece.Image, x);
 }
 
 const EdgeProfile::Piece& EdgeProfile::ShortestOf(const std::vector<Piece>& pieces, double x) const
 {
-  return *std::min_element(pieces.begin(), pieces.end(), [&](const Piece& a, const Piece& b) {
-    return this->DistanceOf(a, x) < this->DistanceOf(b, x);
-  });
+  return *std::min_element(pieces.begin(), pieces.end(),
+    [&](const Piece& a, const Piece& b) { return DistanceOf(a, x) < DistanceOf(b, x); });
 }
 
 /// Finds the changes between two abscissae on pieces that cover the interval between them.
@@ -204,13 +209,12 @@ void EdgeProfile::Divide(
   const double inset = InsetOfChanges * (end - begin); // pieces may end at ties
   const Piece& first = this->ShortestOf(pieces, begin + inset);
   const Piece& last = this->ShortestOf(pieces, end - inset);
-  const double rounding =
-    SlackOfDistance * (this->DistanceOf(first, begin) + this->DistanceOf(last, end));
+  const double rounding = SlackOfDistance * (DistanceOf(first, begin) + DistanceOf(last, end));
   double change = begin;
-  if (this->DistanceOf(first, end - inset) > this->DistanceOf(last, end - inset) + rounding)
+  if (DistanceOf(first, end - inset) > DistanceOf(last, end - inset) + rounding)
   {
     change = Bisect(begin, end, 0.0, MaximumSteps,
-      [&](double x) { return this->DistanceOf(first, x) < this->DistanceOf(last, x); });
+      [&](double x) { return DistanceOf(first, x) < DistanceOf(last, x); });
   }
   else
   {
@@ -222,8 +226,7 @@ void EdgeProfile::Divide(
       const double y = std::abs(first.Image.Y);
       const double rise = std::abs(piece.Image.Y) - y;
       const double x = first.Image.X - (piece.Image.X - first.Image.X) * y / rise;
-      const double gain =
-        x > begin && x < end ? this->DistanceOf(piece, x) - this->DistanceOf(first, x) : 0.0;
+      const double gain = x > begin && x < end ? DistanceOf(piece, x) - DistanceOf(first, x) : 0.0;
       if (gain < least)
       {
         least = gain;
@@ -265,15 +268,6 @@ void EdgeProfile::SetUpFaces()
       face.To = face.Profile.GetCorners()[isSame ? (k + 1) % 3 : k];
     }
   });
-}
-
-void EdgeProfile::FindModelBreaks()
-{
-  const int count = this->Field.HasSources() ? NumberOfModelBreaks : 1;
-  for (int i = 0; i <= count; ++i)
-  {
-    this->Breaks.push_back(i == count ? this->Length : this->Length * i / count);
-  }
 }
 
 /// Computes the Lipschitz constant. A model changes at most as fast as the distance from its source
@@ -334,28 +328,23 @@ double EdgeProfile::At(double x) const
   {
     return this->Ends[x > 0.0 ? 1 : 0];
   }
+  const double t = x / this->Length;
+  double least = Infinity;
   if (this->Field.HasWindows())
   {
-    double least = std::min(this->Ends[0] + x, this->Ends[1] + (this->Length - x));
-    for (const Piece& piece : this->Pieces)
-    {
-      if (x >= piece.Begin - piece.Slack && x <= piece.End + piece.Slack)
-      {
-        least = std::min(least, piece.Offset + DistanceToAxis(piece.Image, x));
-      }
-    }
-    return least;
+    least = std::min(this->Ends[0] + x, this->Ends[1] + (this->Length - x));
   }
-  return this->LeastOfFaces(x);
-}
-
-/// Returns the smallest distance in the reached faces of the edge; linear without virtual sources
-/// or reached faces.
-double EdgeProfile::LeastOfFaces(double x) const
-{
-  const double t = x / this->Length;
-  double least =
-    this->NumberOfFaces == 0 ? (1.0 - t) * this->Ends[0] + t * this->Ends[1] : Infinity;
+  else if (this->NumberOfFaces == 0) // linear
+  {
+    least = (1.0 - t) * this->Ends[0] + t * this->Ends[1];
+  }
+  for (const Piece& piece : this->Pieces)
+  {
+    if (x >= piece.Begin - piece.Slack && x <= piece.End + piece.Slack)
+    {
+      least = std::min(least, DistanceOf(piece, x));
+    }
+  }
   for (std::size_t i = 0; i < this->NumberOfFaces; ++i)
   {
     const FaceOfEdge& face = this->Faces[i];

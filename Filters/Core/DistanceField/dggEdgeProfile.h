@@ -52,7 +52,7 @@ public:
   void FindCrossings(double level, std::vector<double>& crossings);
 
 private:
-  /// A window or a source, in the frame of this edge.
+  /// A window, a source or a path along the edge from an end, in the frame of this edge.
   struct Piece
   {
     double Begin;
@@ -70,7 +70,7 @@ private:
     Point2 To;
   };
 
-  double DistanceOf(const Piece& piece, double x) const;
+  static double DistanceOf(const Piece& piece, double x);
   const Piece& ShortestOf(const std::vector<Piece>& pieces, double x) const;
   void Divide(
     const std::vector<Piece>& pieces, double begin, double end, std::vector<double>& changes) const;
@@ -97,11 +97,9 @@ private:
     bool IsSearched = false;
   };
 
-  void FindModelBreaks();
   void FindSteepness();
   double AtBreak(std::size_t i);
   const BreakState& FindCrest(std::size_t i);
-  double LeastOfFaces(double x) const;
   void CrossBetweenBreaks(
     double level, std::size_t first, std::size_t last, std::vector<double>& crossings);
   void Cross(
