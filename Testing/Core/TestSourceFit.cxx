@@ -20,7 +20,7 @@ namespace
 VirtualSources Fit(const SurfaceMesh& mesh, const std::vector<double>& distances)
 {
   VirtualSources found;
-  FitVirtualSources(mesh, distances.data(), {}, found);
+  EXPECT_TRUE(Ok(FitVirtualSources(mesh, distances.data(), {}, found)));
   return found;
 }
 

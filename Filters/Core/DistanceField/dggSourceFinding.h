@@ -39,9 +39,9 @@ DGG_CORE_EXPORT void FindVirtualSources(const SurfaceMesh& mesh, const SearchRes
 /// assumption is made about distances at sources.
 ///
 /// `distances` are per vertex; Infinity or NaN if unreached. If nothing can be fitted, for example
-/// at a source or an Irregular vertex, the virtual source is the vertex itself. Returns false if
-/// stopped; then `found` must not be used.
-DGG_CORE_EXPORT bool FitVirtualSources(const SurfaceMesh& mesh, const double* distances,
+/// at a source or an Irregular vertex, the virtual source is the vertex itself. Fails when stopped;
+/// then `found` must not be used.
+DGG_CORE_EXPORT Status FitVirtualSources(const SurfaceMesh& mesh, const double* distances,
   const ParallelFor& parallel, VirtualSources& found,
   const ProgressCallback& progress = ProgressCallback());
 }

@@ -4,6 +4,7 @@
 
 #include "dggCornerModel.h"
 #include "dggEdges.h"
+#include "dggProgressPart.h"
 #include "dggUnfolding.h"
 
 #include <algorithm>
@@ -321,18 +322,14 @@ bool VertexFit::Fit(Id v, Guess& best)
 }
 }
 
-bool FitVirtualSources(const SurfaceMesh& mesh, const double* distances,
+Status FitVirtualSources(const SurfaceMesh& mesh, const double* distances,
   const ParallelFor& parallel, VirtualSources& found, const ProgressCallback& progress)
 {
   const Offset n = mesh.GetNumberOfVertices();
   found.assign(static_cast<std::size_t>(n), {});
   for (Offset first = 0; first < n; first += VerticesAtOnce)
   {
-    if (progress && !progress(static_cast<double>(first) / static_cast<double>(n)))
-    {
-      found = {};
-      return false;
-    }
+    DGG_RETURN_IF_ERROR(ReportTo(progress, static_cast<double>(first) / static_cast<double>(n)));
     const Offset count = std::min(VerticesAtOnce, n - first);
     ForRange(parallel, count, VerticesPerTask, [&](Offset begin, Offset end) {
       VertexFit fit(mesh, distances);
@@ -348,6 +345,6 @@ bool FitVirtualSources(const SurfaceMesh& mesh, const double* distances,
       }
     });
   }
-  return true;
+  return Status::Success();
 }
 }

@@ -509,18 +509,20 @@ void ApolloniusFace::FindCurves(
       [](const RimPiece& p, int node) { return p.Begin < node; });
     return FindCrossing(crossings, piece->HalfEdge, number, piece->Interval);
   };
+  FaceCurve curve;
+  curve.Face = this->Face;
+  curve.Level = number;
   for (const RimPiece& piece : this->Rim)
   {
     if (this->IsBelow(piece.Begin, level) && !this->IsBelow(piece.End, level))
     {
-      FaceCurve curve;
-      curve.Face = this->Face;
-      curve.Level = number;
+      curve.Points.clear();
       curve.First = crossingOf(piece.Begin);
       curve.Last = crossingOf(this->Follow(piece.Begin, piece.End, level, curve).first);
-      curves.push_back(std::move(curve));
+      curves.push_back(curve);
     }
   }
+  curve.First = curve.Last = NoId;
   // The remaining isolines are closed within the face.
   for (std::size_t t = 0; t < this->Triangles.size(); ++t)
   {
@@ -530,11 +532,9 @@ void ApolloniusFace::FindCurves(
       const int end = this->Triangles[t][(k + 1) % 3];
       if (this->IsBelow(begin, level) && !this->IsBelow(end, level))
       {
-        FaceCurve curve;
-        curve.Face = this->Face;
-        curve.Level = number;
+        curve.Points.clear();
         this->Follow(begin, end, level, curve);
-        curves.push_back(std::move(curve));
+        curves.push_back(curve);
       }
     }
   }
@@ -612,11 +612,8 @@ Status FindApolloniusParts(const DistanceField& field, int steinerPoints,
   double begin = 0.0;
   if (!field.Sources || field.Sources->empty())
   {
-    if (!FitVirtualSources(
-          *field.Mesh, field.Distances, parallel, fitted, ProgressPart(progress, 0.0, FitDone)))
-    {
-      return Status::Abort();
-    }
+    DGG_RETURN_IF_ERROR(FitVirtualSources(
+      *field.Mesh, field.Distances, parallel, fitted, ProgressPart(progress, 0.0, FitDone)));
     used.Sources = &fitted;
     begin = FitDone;
   }

@@ -8,7 +8,6 @@
 #include "dggSurfaceRefinement.h"
 
 #include <algorithm>
-#include <map>
 #include <utility>
 
 namespace dgg
@@ -21,27 +20,6 @@ constexpr double CornersDone = 0.8;
 /// Distance below which points of lines in a face become one vertex, in barycentric coordinates
 /// (dggSurfaceRefinement.h).
 constexpr double MergeDistance = 2e-9;
-
-/// Returns the lines without the lines of repeated levels. Lines of repeated levels coincide with
-/// the first ones, and all of them would be intersected with each other.
-Isolines WithoutRepeatedLevels(const std::vector<double>& levels, const Isolines& lines)
-{
-  std::map<double, Id> firstOf;
-  for (std::size_t i = 0; i < levels.size(); ++i)
-  {
-    firstOf.emplace(levels[i], static_cast<Id>(i));
-  }
-  Isolines distinct;
-  for (std::size_t p = 0; p < lines.Lines.size(); ++p)
-  {
-    if (firstOf[levels[lines.Levels[p]]] == lines.Levels[p])
-    {
-      distinct.Lines.push_back(lines.Lines[p]);
-      distinct.Levels.push_back(lines.Levels[p]);
-    }
-  }
-  return distinct;
-}
 
 class BandFinder
 {
@@ -220,17 +198,27 @@ Status MakeBands(const DistanceField& field, const std::vector<double>& levels,
   bands.Levels = levels;
   std::sort(bands.Levels.begin(), bands.Levels.end());
   bands.Levels.erase(std::unique(bands.Levels.begin(), bands.Levels.end()), bands.Levels.end());
-  const bool isRepeated = bands.Levels.size() < levels.size();
-  const Isolines distinct = isRepeated ? WithoutRepeatedLevels(levels, lines) : Isolines();
-  const Isolines& cuts = isRepeated ? distinct : lines;
+  // Lines of repeated levels coincide with the first ones, and all of them would be intersected
+  // with each other.
+  std::vector<SurfacePath> cuts;
+  std::vector<Id> levelOf;
+  for (std::size_t p = 0; p < lines.Lines.size(); ++p)
+  {
+    const auto level = levels.begin() + lines.Levels[p];
+    if (std::find(levels.begin(), level, *level) == level)
+    {
+      cuts.push_back(lines.Lines[p]);
+      levelOf.push_back(lines.Levels[p]);
+    }
+  }
   // Touching lines may cross by rounding, and lines of discontinuous fields do cross.
   RefinementOptions options;
   options.InsertCrossings = true;
   options.Progress = ProgressPart(progress, 0.0, CutDone);
-  DGG_RETURN_IF_ERROR(RefineAlongPaths(*field.Mesh, cuts.Lines, options, bands.Surface));
+  DGG_RETURN_IF_ERROR(RefineAlongPaths(*field.Mesh, cuts, options, bands.Surface));
   DGG_RETURN_IF_ERROR(ReportTo(progress, CutDone));
   BandFinder finder(field, bands);
-  finder.FindDistances(levels, cuts.Levels);
+  finder.FindDistances(levels, levelOf);
   DGG_RETURN_IF_ERROR(ReportTo(progress, CornersDone));
   finder.FindBands();
   return ReportTo(progress, 1.0);

@@ -38,23 +38,14 @@ public:
 
   Id AddNode(const SurfacePoint& point)
   {
-    if (IsVertex(point))
+    Id own = NoId;
+    Id& node = IsVertex(point) ? this->NodeOfVertex[point.Vertex] : own;
+    if (node == NoId)
     {
-      return this->AddVertex(point.Vertex);
+      node = static_cast<Id>(this->Nodes.size());
+      this->Nodes.push_back(point);
     }
-    this->Nodes.push_back(point);
-    return static_cast<Id>(this->Nodes.size()) - 1;
-  }
-
-  /// Returns the node of a vertex.
-  Id AddVertex(Id v)
-  {
-    if (this->NodeOfVertex[v] == NoId)
-    {
-      this->NodeOfVertex[v] = static_cast<Id>(this->Nodes.size());
-      this->Nodes.push_back(SurfacePoint::AtVertex(v));
-    }
-    return this->NodeOfVertex[v];
+    return node;
   }
 
   /// Adds an arc in a face, unless it is empty.
@@ -315,7 +306,9 @@ void EdgeJoiner::JoinAlong(Id h, Id twin, std::vector<Meeting>& meetings)
       for (std::size_t k = 0; k < 2; ++k)
       {
         const Meeting& meeting = meetings[i + k];
-        nodes[k] = meeting.Vertex != NoId ? this->Graph.AddVertex(meeting.Vertex) : meeting.Node;
+        nodes[k] = meeting.Vertex != NoId
+          ? this->Graph.AddNode(SurfacePoint::AtVertex(meeting.Vertex))
+          : meeting.Node;
       }
       const double opposite = isMirrored ? -atRight : atRight + Pi;
       this->Graph.AddArc(nodes[0], nodes[1], SurfaceMesh::Face(h),
@@ -360,7 +353,7 @@ void EdgeJoiner::AddPieces(Id f)
     const RidgeEnd& end = face.Ends[i];
     if (end.On == RidgeEnd::Support::Vertex)
     {
-      nodes[i] = this->Graph.AddVertex(this->Mesh.Origin(3 * f + end.Side));
+      nodes[i] = this->Graph.AddNode(SurfacePoint::AtVertex(this->Mesh.Origin(3 * f + end.Side)));
     }
     else if (end.On == RidgeEnd::Support::Face)
     {

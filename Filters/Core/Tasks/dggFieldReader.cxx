@@ -172,9 +172,7 @@ Status FieldReader::Complete(const TaskContext& context, const ProgressCallback&
     return Status::Success();
   }
   this->IsFitted = true;
-  return FitVirtualSources(mesh, this->Distances.data(), context.Parallel, this->Sources, progress)
-    ? Status::Success()
-    : Status::Abort();
+  return FitVirtualSources(mesh, this->Distances.data(), context.Parallel, this->Sources, progress);
 }
 
 //------------------------------------------------------------------------------

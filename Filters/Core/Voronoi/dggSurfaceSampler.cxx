@@ -108,10 +108,10 @@ public:
     std::vector<double> direct;
     for (std::size_t i = 0; i < this->Points.size(); ++i)
     {
-      if (i % ProgressInterval == 0 && progress &&
-        !progress(static_cast<double>(i) / static_cast<double>(this->Points.size())))
+      if (i % ProgressInterval == 0)
       {
-        return Status::Abort();
+        DGG_RETURN_IF_ERROR(
+          ReportTo(progress, static_cast<double>(i) / static_cast<double>(this->Points.size())));
       }
       DGG_RETURN_IF_ERROR(this->Builder.Link(this->Points[i], this->Accuracy, {}, links, direct));
       for (const GraphLink& link : links)
@@ -324,11 +324,8 @@ private:
   {
     const double done = static_cast<double>(this->Samples.size()) /
       static_cast<double>(this->Options.NumberOfSamples);
-    if (this->Options.Progress &&
-      !this->Options.Progress(this->ProgressAtStart + (1.0 - this->ProgressAtStart) * done))
-    {
-      return Status::Abort();
-    }
+    DGG_RETURN_IF_ERROR(ReportTo(
+      this->Options.Progress, this->ProgressAtStart + (1.0 - this->ProgressAtStart) * done));
     if (this->Inside &&
       (this->Farthest.Vertex == NoId || this->Inside->GetDistance() > this->Farthest.Distance))
     {
