@@ -23,8 +23,6 @@ constexpr Offset BlockSize = 64;
 /// Progress after the fit and after the edges.
 constexpr double FitDone = 0.1;
 constexpr double EdgesDone = 0.2;
-/// Maximum distance of a point of a triangle from its nearest corner, relative to the longest side.
-constexpr double FarthestFromCorners = 0.58;
 /// Tolerance of the error of a model at the other end, as a fraction of the edge length. A model
 /// with a larger error belongs to another path.
 constexpr double BranchTolerance = 1e-9;
@@ -571,30 +569,10 @@ void CrossEdge(
   }
 }
 
-void CrossFace(ApolloniusFace& face, const DistanceField& field, Id f,
-  const std::vector<double>& levels, const LevelCrossings& crossings,
-  std::vector<FaceCurve>& curves)
+void CrossFace(ApolloniusFace& face, const std::vector<double>& levels,
+  const LevelCrossings& crossings, std::vector<FaceCurve>& curves)
 {
-  const SurfaceMesh& mesh = *field.Mesh;
-  double low = Infinity;
-  double high = -Infinity;
-  double longest = 0.0;
-  for (Id h = 3 * f; h < 3 * f + 3; ++h)
-  {
-    const double d = field.Distances[mesh.Origin(h)];
-    low = std::min(low, d);
-    high = std::max(high, d);
-    longest = std::max(longest, mesh.Length(h));
-  }
-  // Range of a distance. A cubic may exceed the range by the same amount.
-  const double reach = 2.0 * FarthestFromCorners * longest;
   const auto count = static_cast<Id>(levels.size());
-  const Id first = FirstFrom(levels, low - reach);
-  if (first == count || levels[first] > high + reach)
-  {
-    return;
-  }
-  face.Enter(f);
   for (Id r = FirstFrom(levels, face.GetSmallest()); r < count && levels[r] <= face.GetLargest();
        ++r)
   {
@@ -634,7 +612,8 @@ Status FindApolloniusParts(const DistanceField& field, int steinerPoints,
     [&](ApolloniusFace& face, Id f, std::vector<FaceCurve>& found) {
       if (used.IsReached(f))
       {
-        CrossFace(face, used, f, levels, crossings, found);
+        face.Enter(f);
+        CrossFace(face, levels, crossings, found);
       }
     },
     curves);
