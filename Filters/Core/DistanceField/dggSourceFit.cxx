@@ -129,14 +129,6 @@ private:
   Equations Evaluate(const Guess& guess) const;
   double MisfitOfVertex() const;
   double Improve(Guess& guess) const;
-  /// Returns the Geman-McClure penalty of a residual. The penalty is bounded, so that a neighbor
-  /// reached by another path adds a constant cost and no gradient.
-  static double Penalty(double residual)
-  {
-    const double square = residual * residual;
-    return square / (1.0 + square);
-  }
-
   const SurfaceMesh& Mesh;
   const double* Distances;
   std::vector<Neighbor> Neighbors;
@@ -187,7 +179,9 @@ double VertexFit::Predict(
 }
 
 /// Returns the misfit of a guess and the normal equations. The unknowns are the angle and the
-/// curvature times the mean length.
+/// curvature times the mean length. The misfit is the sum of the Geman-McClure penalties of the
+/// residuals. A penalty is bounded, so that a neighbor reached by another path adds a constant cost
+/// and no gradient.
 VertexFit::Equations VertexFit::Evaluate(const Guess& guess) const
 {
   Equations e;
@@ -216,7 +210,8 @@ double VertexFit::MisfitOfVertex() const
   double misfit = 0.0;
   for (const Neighbor& n : this->Neighbors)
   {
-    misfit += Penalty((n.Rise - n.Length) / (this->Tolerance * n.Length));
+    const double residual = (n.Rise - n.Length) / (this->Tolerance * n.Length);
+    misfit += residual * residual / (1.0 + residual * residual);
   }
   return misfit;
 }

@@ -3,6 +3,7 @@
 #include "dggSourcePropagation.h"
 
 #include "dggPropagation.h"
+#include "dggProgressPart.h"
 #include "dggPropagationFaces.h"
 #include "dggRoundTeam.h"
 
@@ -190,10 +191,7 @@ Status RunPropagation(const SurfaceMesh& mesh, const PropagationFaces& faces,
   {
     RoundTeam::Run(parallel, threads, [&](RoundTeam& team) { propagation.Advance(team); });
     // Not while other threads wait for the leader, because observers may run loops of their own.
-    if (options.Progress && !options.Progress(propagation.GetProgress()))
-    {
-      return Status::Abort();
-    }
+    DGG_RETURN_IF_ERROR(ReportTo(options.Progress, propagation.GetProgress()));
   }
   result.IsSettled = propagation.IsSettled();
   PropagationOutput output(mesh, options, shift, result);

@@ -174,25 +174,18 @@ bool BorderRefinement::IsDoubtful(Id face, const Coordinates& place, Id site, do
     {
       continue;
     }
-    const double predicted = this->Predict(h, *entry, PlaceInFrame(this->Mesh, h, place));
-    if (!(std::abs(predicted - distance) <= PredictionTolerance * this->Accuracy * distance))
+    const Point2 p = PlaceInFrame(this->Mesh, h, place);
+    const CornerModel model(this->Mesh, this->Mesh.Origin(h), entry->Source);
+    const bool isKnown = model.IsKnown || !(model.Length > 0.0);
+    const double predicted =
+      model.At(Norm(p.X, p.Y), this->Mesh.PolarAngle(h) + std::atan2(p.Y, p.X));
+    if (!isKnown ||
+      !(std::abs(predicted - distance) <= PredictionTolerance * this->Accuracy * distance))
     {
       return true;
     }
   }
   return false;
-}
-
-/// Returns the distance of a point in the frame of a half-edge from the virtual source of the
-/// origin of the half-edge; NaN if the distance is unknown.
-double BorderRefinement::Predict(
-  Id halfEdge, const SiteDistances::Entry& entry, const Point2& place) const
-{
-  const CornerModel model(this->Mesh, this->Mesh.Origin(halfEdge), entry.Source);
-  return model.IsKnown || !(model.Length > 0.0)
-    ? model.At(
-        Norm(place.X, place.Y), this->Mesh.PolarAngle(halfEdge) + std::atan2(place.Y, place.X))
-    : std::nan("");
 }
 
 /// Computes the distances of a point from sites through links of its own. Returns false if one is

@@ -51,7 +51,6 @@ private:
   using Coordinates = std::array<double, 3>;
 
   bool IsDoubtful(Id face, const Coordinates& place, Id site, double distance) const;
-  double Predict(Id halfEdge, const SiteDistances::Entry& entry, const Point2& place) const;
   bool Measure(
     const SurfacePoint& point, const Id* sites, std::size_t count, double* distances) const;
   bool Measure(Id face, const Coordinates& place, const std::array<Id, 3>& sites,

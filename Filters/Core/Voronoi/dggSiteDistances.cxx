@@ -118,7 +118,7 @@ public:
     }
   }
 
-  bool Run(const ProgressCallback& progress)
+  Status Run(const ProgressCallback& progress)
   {
     this->Start();
     std::size_t pops = 0;
@@ -130,14 +130,14 @@ public:
       {
         continue;
       }
-      if (++pops % ProgressInterval == 0 && progress && !progress(0.5))
+      if (++pops % ProgressInterval == 0)
       {
-        return false;
+        DGG_RETURN_IF_ERROR(ReportTo(progress, NearestShare));
       }
       this->Finish(index);
       this->Relax(this->Labels[index].Vertex, this->Labels[index].Site, top.Key, index);
     }
-    return true;
+    return Status::Success();
   }
 
   /// Calls `use(site, estimate)` for the labels of a vertex, in no particular order.
@@ -295,10 +295,7 @@ Status SiteDistances::Run(const GraphSearch& search, const SurfaceMesh& mesh,
   }
   const GraphView& graph = search.GetGraph();
   FartherSites farther(graph, mesh, kept, nearest);
-  if (!farther.Run(progress))
-  {
-    return Status::Abort();
-  }
+  DGG_RETURN_IF_ERROR(farther.Run(progress));
   this->Offsets.push_back(0);
   for (Id v = 0; v < graph.NumberOfVertices; ++v)
   {

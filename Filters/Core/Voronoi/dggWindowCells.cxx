@@ -43,7 +43,6 @@ private:
   void SetUpPoints();
   void Cut(Id face, const std::vector<Id>& pieces);
   void FindPlaces(Id face, const std::vector<Id>& pieces);
-  void FindBorderDistances();
   std::vector<Id> CollectCell(Id piece);
   Id FindSite(const std::vector<Id>& cell) const;
   void AddCell(Id face, Id site, const std::vector<Id>& cell);
@@ -112,13 +111,12 @@ void CellMaker::SetUpPoints()
 /// Adds the cells of one face.
 void CellMaker::Cut(Id face, const std::vector<Id>& pieces)
 {
-  this->FindPlaces(face, pieces);
   const bool isReached = this->Field.IsReached(face);
   if (isReached)
   {
     this->Profile.Enter(face);
-    this->FindBorderDistances();
   }
+  this->FindPlaces(face, pieces);
   for (const Id piece : pieces)
   {
     if (this->CellOf[piece] == NoId)
@@ -129,21 +127,8 @@ void CellMaker::Cut(Id face, const std::vector<Id>& pieces)
   }
 }
 
-/// Finds the distances of the border points of a face. On an edge, the smallest of all faces is the
-/// distance.
-void CellMaker::FindBorderDistances()
-{
-  for (const auto& [vertex, place] : this->Places)
-  {
-    const Id border = vertex - this->Field.Mesh->GetNumberOfVertices();
-    if (border >= 0)
-    {
-      double& distance = this->Diagram.BorderDistances[border];
-      distance = std::min(distance, this->Profile.At(this->Profile.PlaceOf(place)));
-    }
-  }
-}
-
+/// Finds the positions of points in a face, and the distances of border points. On an edge, the
+/// smallest of all faces is the distance.
 void CellMaker::FindPlaces(Id face, const std::vector<Id>& pieces)
 {
   this->Places.clear();
@@ -152,7 +137,18 @@ void CellMaker::FindPlaces(Id face, const std::vector<Id>& pieces)
     for (Id h = 3 * piece; h < 3 * piece + 3; ++h)
     {
       const Id vertex = this->Surface.Origin(h);
-      FindInFace(*this->Field.Mesh, this->Surface.Points[vertex], face, this->Places[vertex]);
+      const auto [place, isNew] = this->Places.emplace(vertex, Coordinates());
+      if (!isNew)
+      {
+        continue;
+      }
+      FindInFace(*this->Field.Mesh, this->Surface.Points[vertex], face, place->second);
+      const Id border = vertex - this->Field.Mesh->GetNumberOfVertices();
+      if (border >= 0 && this->Field.IsReached(face))
+      {
+        double& distance = this->Diagram.BorderDistances[border];
+        distance = std::min(distance, this->Profile.At(this->Profile.PlaceOf(place->second)));
+      }
     }
   }
 }
