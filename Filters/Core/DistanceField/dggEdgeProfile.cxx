@@ -74,7 +74,14 @@ void EdgeProfile::Enter(Id h)
       this->Breaks.push_back(i == count ? this->Length : this->Length * i / count);
     }
   }
-  this->FindSteepness();
+  // A model changes at most as fast as the distance from its source plus the amount by which the
+  // model is raised, a linear field by its slope, and exact distances as fast as the distance.
+  double raise = std::max(0.0, std::abs(this->Ends[1] - this->Ends[0]) - this->Length);
+  for (std::size_t i = 0; i < this->NumberOfFaces; ++i)
+  {
+    raise = std::max(raise, this->Faces[i].Profile.GetLargestRaise());
+  }
+  this->Steepness = 1.0 + raise / this->Length;
   BreakState state;
   state.IsSearched = this->Field.HasWindows(); // then breaks separate extrema
   this->BreakStates.assign(this->Breaks.size(), state);
@@ -268,18 +275,6 @@ void EdgeProfile::SetUpFaces()
       face.To = face.Profile.GetCorners()[isSame ? (k + 1) % 3 : k];
     }
   });
-}
-
-/// Computes the Lipschitz constant. A model changes at most as fast as the distance from its source
-/// plus the amount by which the model is raised; exact distances as fast as the distance.
-void EdgeProfile::FindSteepness()
-{
-  double raise = std::abs(this->Ends[1] - this->Ends[0]) - this->Length; // of linear fields
-  for (std::size_t i = 0; i < this->NumberOfFaces; ++i)
-  {
-    raise = std::max(raise, this->Faces[i].Profile.GetLargestRaise());
-  }
-  this->Steepness = 1.0 + std::max(0.0, raise) / this->Length;
 }
 
 double EdgeProfile::AtBreak(std::size_t i)

@@ -97,7 +97,6 @@ private:
     bool IsSearched = false;
   };
 
-  void FindSteepness();
   double AtBreak(std::size_t i);
   const BreakState& FindCrest(std::size_t i);
   void CrossBetweenBreaks(

@@ -3,6 +3,7 @@
 #include "dggFaceIsolines.h"
 
 #include "dggLevelTurns.h"
+#include "dggSurfacePoint.h"
 
 #include <algorithm>
 #include <cmath>
@@ -126,7 +127,14 @@ Id FaceIsolines::Trace(Id f, std::vector<FaceCurve>& curves)
   for (Id level = first; level <= last; ++level)
   {
     this->CollectRim(level);
-    this->CollectSeeds(level);
+    this->SeedsOfLevel.clear();
+    for (const Seed& seed : this->Seeds)
+    {
+      if ((seed.Distance < this->Levels[level]) != seed.IsPeak)
+      {
+        this->SeedsOfLevel.push_back(seed.Place);
+      }
+    }
     if (!this->SeedsOfLevel.empty() || this->Rim.CountCrossings() > 0)
     {
       fallbacks += this->TraceLevel(level, curves);
@@ -227,18 +235,6 @@ void FaceIsolines::FindPeaks(const std::array<const LevelPoint*, 3>& points, int
   }
 }
 
-void FaceIsolines::CollectSeeds(Id level)
-{
-  this->SeedsOfLevel.clear();
-  for (const Seed& seed : this->Seeds)
-  {
-    if ((seed.Distance < this->Levels[level]) != seed.IsPeak)
-    {
-      this->SeedsOfLevel.push_back(seed.Place);
-    }
-  }
-}
-
 /// Collects the crossings of one level. Levels must be visited in increasing order.
 void FaceIsolines::CollectRim(Id level)
 {
@@ -270,20 +266,13 @@ void FaceIsolines::CollectRim(Id level)
 
 LevelPoint FaceIsolines::LookAtRim(const LevelArc& arc, Id crossing) const
 {
-  const std::array<Point2, 3>& corners = this->Profile.GetCorners();
-  for (int k = 0; k < 3; ++k)
-  {
-    for (const RimCrossing& c : this->Rim.Sides[k])
-    {
-      if (c.Index == crossing)
-      {
-        const Point2& from = corners[k];
-        const Point2& to = corners[(k + 1) % 3];
-        return arc.Evaluate({ from.X + c.T * (to.X - from.X), from.Y + c.T * (to.Y - from.Y) });
-      }
-    }
-  }
-  return {};
+  const SurfaceMesh& mesh = *this->Field.Mesh;
+  const LevelCrossing& c = this->Crossings.Crossings[crossing];
+  const auto side = std::find(this->Edges.begin(), this->Edges.end(), c.HalfEdge);
+  const auto k = static_cast<int>(side - this->Edges.begin());
+  const double t = c.X / mesh.Length(c.HalfEdge);
+  const bool isSame = mesh.Origin(c.HalfEdge) == mesh.Origin(3 * this->Profile.GetFace() + k);
+  return arc.Evaluate(this->Profile.PlaceOf(CoordinatesOnEdge(k, isSame ? t : 1.0 - t)));
 }
 
 Id FaceIsolines::TraceLevel(Id level, std::vector<FaceCurve>& curves)

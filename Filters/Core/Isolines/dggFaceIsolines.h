@@ -46,7 +46,6 @@ private:
   void FindSeeds();
   void AddSource(const FieldSample& sample);
   void FindPeaks(const std::array<const LevelPoint*, 3>& points, int depth);
-  void CollectSeeds(Id level);
   void CollectRim(Id level);
   Id TraceLevel(Id level, std::vector<FaceCurve>& curves);
   bool TraceDirectly(const LevelArc& arc, Id level, std::vector<FaceCurve>& curves);

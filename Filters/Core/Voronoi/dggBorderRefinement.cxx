@@ -121,6 +121,10 @@ void BorderRefinement::Balance(
   {
     return;
   }
+  const auto measure = [&](const Coordinates& at, Coordinates& found) {
+    return std::min({ at[0], at[1], at[2] }) >= 0.0 &&
+      this->Measure(SurfacePoint::InTriangle(this->Mesh, face, at), sites.data(), 3, found.data());
+  };
   // Newton's method with finite differences, as long as it improves.
   double best = Infinity;
   Coordinates next = place;
@@ -129,7 +133,7 @@ void BorderRefinement::Balance(
     std::array<double, 3> here{};
     std::array<double, 3> along{};
     std::array<double, 3> across{};
-    if (!this->Measure(face, next, sites, here))
+    if (!measure(next, here))
     {
       return;
     }
@@ -145,8 +149,8 @@ void BorderRefinement::Balance(
     const double h = next[0] > 2.0 * DifferenceStep ? DifferenceStep : -DifferenceStep;
     const Coordinates a{ { next[0] - h, next[1] + h, next[2] } };
     const Coordinates b{ { next[0] - h, next[1], next[2] + h } };
-    if (best <= BalanceTolerance * this->Accuracy * distance ||
-      !this->Measure(face, a, sites, along) || !this->Measure(face, b, sites, across))
+    if (best <= BalanceTolerance * this->Accuracy * distance || !measure(a, along) ||
+      !measure(b, across))
     {
       return;
     }
@@ -223,16 +227,5 @@ bool BorderRefinement::Measure(
     }
   }
   return true;
-}
-
-bool BorderRefinement::Measure(Id face, const Coordinates& place, const std::array<Id, 3>& sites,
-  std::array<double, 3>& distances) const
-{
-  if (!(std::min(place[0], std::min(place[1], place[2])) >= 0.0))
-  {
-    return false;
-  }
-  return this->Measure(
-    SurfacePoint::InTriangle(this->Mesh, face, place), sites.data(), 3, distances.data());
 }
 }

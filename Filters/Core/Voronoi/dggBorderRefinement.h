@@ -53,8 +53,6 @@ private:
   bool IsDoubtful(Id face, const Coordinates& place, Id site, double distance) const;
   bool Measure(
     const SurfacePoint& point, const Id* sites, std::size_t count, double* distances) const;
-  bool Measure(Id face, const Coordinates& place, const std::array<Id, 3>& sites,
-    std::array<double, 3>& distances) const;
 
   const SurfaceMesh& Mesh;
   const SiteDistances& Distances;
