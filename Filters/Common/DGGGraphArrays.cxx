@@ -82,9 +82,9 @@ void DGGGraphArrays::Adopt(dgg::GeodesicGraph& graph, const std::vector<double>&
 void DGGGraphArrays::Adopt(dgg::PieceGraph& graph, const dgg::TaskContext& context)
 {
   this->Clear();
-  this->Graph = StoredGraph(graph.Rows.View(),
-    dgg::GhostVertices{
-      graph.GhostIds.Data(), static_cast<dgg::Id>(graph.GhostIds.Size()), graph.Owners.Data() });
+  const dgg::GhostVertices ghosts{ graph.GhostIds.Data(),
+    static_cast<dgg::Id>(graph.GhostIds.Size()), graph.Owners.Data() };
+  this->Graph = StoredGraph(graph.Rows.View(), ghosts, graph.Piece);
   dgg::Buffer<double> noRadii;
   this->AdoptArrays(graph, noRadii, context);
 }

@@ -162,7 +162,9 @@ dgg::Status DGGJoinedParts::Join(const Parts& parts)
       used.push_back(p);
     }
   }
-  if (used.size() <= 1)
+  const bool isNumbered = parts.size() > 1 && used.size() == 1 &&
+    parts[used[0]].Data->GetPointData()->GetGlobalIds() != nullptr;
+  if (used.size() <= 1 && !isNumbered)
   {
     if (!parts.empty())
     {

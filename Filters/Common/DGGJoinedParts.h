@@ -33,7 +33,8 @@ struct DGGPartResult
 
 /// Joins parts to one surface, and transfers results on this surface to the parts.
 /// dgg::JoinSurfacePieces() documents the order of points and cells, and which are identified. A
-/// part that another process has as well counts once. A single part is unchanged.
+/// part that another process has as well counts once. A single part is unchanged, but if the other
+/// parts are empty, global ids number its points.
 class VTKDGGFILTERSCOMMON_EXPORT DGGJoinedParts
 {
 public:

@@ -623,6 +623,73 @@ TEST_F(PieceGraph, IdsAndOffsetsOfSources)
 }
 
 //------------------------------------------------------------------------------
+/// A graph belongs to its piece: pieces that have exchanged their graphs do not use them.
+TEST_F(PieceGraph, BelongsToItsPiece)
+{
+  const auto surface = Beside(MakeTerrain(12), MakeTerrain(12), 3.0);
+  MovePoints(surface, [](double* p) { p[2] *= p[0] > 2.0 ? 5.0 : 1.0; });
+  const Labels labels = LabelStrips(surface, 2);
+  const auto take = [&](int label) {
+    return TakePart(surface, labels, label, PartIds::Global, false); // may be empty
+  };
+  const auto prepare = [](auto* graph) { graph->SetAccuracy(0.1); };
+  const auto graph = this->Together<vtkDiscreteGeodesicGraph>(take(this->Here), prepare);
+  vtkNew<vtkPolyData> moved;
+  moved->ShallowCopy(take(this->Here < 2 ? 1 - this->Here : this->Here));
+  moved->SetFieldData(graph->GetOutput()->GetFieldData());
+  vtkNew<vtkDGGDistance> distance;
+  distance->SetInputData(moved);
+  distance->SetSourceIds({ 0, 200 });
+  const Listener listener(distance);
+  this->Update(distance);
+  this->Update(distance);
+  EXPECT_EQ(listener.Warnings.size(), this->Here < 2 ? 1u : 0u);
+  EXPECT_FALSE(distance->GetUsedInputGraph());
+  ExpectArray(distance->GetOutput(),
+    Alone<vtkDGGDistance>(surface,
+      [](auto* filter) {
+        filter->SetSourceIds({ 0, 200 });
+      })
+      ->GetOutput(),
+    "GeodesicDistance", 0.0);
+}
+
+//------------------------------------------------------------------------------
+/// Global ids number the points, also if one process has all of them.
+TEST_F(PieceGraph, IdsNumberThePointsOfOneProcess)
+{
+  const auto piece = TakePart(this->Surface, Labels(this->Surface->GetNumberOfCells(), 0),
+    this->Here, PartIds::Global, false);
+  if (this->IsFirst())
+  {
+    vtkNew<vtkPolyData> turned; // the points in reversed order
+    const vtkIdType n = piece->GetNumberOfPoints();
+    turned->DeepCopy(piece);
+    for (vtkIdType i = 0; i < n; ++i)
+    {
+      turned->GetPoints()->SetPoint(i, piece->GetPoint(n - 1 - i));
+      for (const char* name : { "Whole", "GlobalPointIds" })
+      {
+        turned->GetPointData()->GetArray(name)->SetTuple(
+          i, n - 1 - i, piece->GetPointData()->GetArray(name));
+      }
+    }
+    vtkDataArray* corners = turned->GetPolys()->GetConnectivityArray();
+    for (vtkIdType k = 0; k < corners->GetNumberOfTuples(); ++k)
+    {
+      corners->SetTuple1(k, static_cast<double>(n - 1) - corners->GetTuple1(k));
+    }
+    piece->DeepCopy(turned);
+  }
+  const auto search = [](auto* filter) {
+    filter->SetSourceIds({ 5, 77 });
+    filter->GenerateVirtualSourceOn(); // gathers
+  };
+  ExpectArray(this->Together<vtkDGGDistance>(piece, search)->GetOutput(),
+    Alone<vtkDGGDistance>(this->Surface, search)->GetOutput(), "GeodesicDistance", 0.0);
+}
+
+//------------------------------------------------------------------------------
 /// If properties differ, those of the first process count. A graph is not kept for another piece.
 TEST_F(PieceGraph, PropertiesAndPiecesThatDiffer)
 {

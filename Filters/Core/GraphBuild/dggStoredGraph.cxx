@@ -26,12 +26,18 @@ enum InfoSlot
   SecondSignature,
   VoxelSize,      // bits of the double
   MergeTolerance, // bits of the double
-  Piece,          // 1 for the graph of a piece
+  Piece,          // mark of the signature of a piece, else 0
   Checksum,       // of the slots above and of the other arrays
   InfoSize
 };
 
 constexpr std::int64_t FormatVersion = 1;
+
+/// Returns a number that identifies a piece, which is not 0.
+std::int64_t MarkPiece(const Signature& piece)
+{
+  return CopyBits<std::int64_t>(piece[0]) | 1;
+}
 
 bool IsMerged(const PreparedSurface& surface)
 {
@@ -75,11 +81,17 @@ StoredGraph::StoredGraph(const GraphView& graph, const CloudBand& band)
 {
 }
 
-StoredGraph::StoredGraph(const GraphView& graph, const GhostVertices& ghosts)
+StoredGraph::StoredGraph(
+  const GraphView& graph, const GhostVertices& ghosts, const Signature& piece)
   : View(graph)
   , Ghosts(ghosts)
-  , IsPiece(true)
+  , PieceMark(MarkPiece(piece))
 {
+}
+
+bool StoredGraph::IsOf(const Signature& piece) const
+{
+  return this->PieceMark == MarkPiece(piece);
 }
 
 Buffer<std::int64_t> StoredGraph::MakeInfo(
@@ -98,7 +110,7 @@ Buffer<std::int64_t> StoredGraph::MakeInfo(
   info[FirstSignature] = CopyBits<std::int64_t>(graph.Surface[0]);
   info[SecondSignature] = CopyBits<std::int64_t>(graph.Surface[1]);
   info[VoxelSize] = CopyBits<std::int64_t>(this->Band.VoxelSize);
-  info[Piece] = this->IsPiece ? 1 : 0;
+  info[Piece] = this->PieceMark;
   info[Checksum] = this->ComputeChecksum(info.Data(), parallel);
   return info;
 }
@@ -115,7 +127,7 @@ bool StoredGraph::HasRole(int role) const
       return isCloud;
     case GhostIds:
     case Owners:
-      return this->IsPiece;
+      return this->PieceMark != 0;
     default:
       return true;
   }
@@ -138,7 +150,7 @@ Status StoredGraph::Read(
     this->View = GraphView();
     this->BuiltOn = Domain();
     this->Band = CloudBand();
-    this->IsPiece = false;
+    this->PieceMark = 0;
   }
   return status;
 }
@@ -147,7 +159,7 @@ Status StoredGraph::Check(
   const Arrays& arrays, const PreparedSurface& surface, const ParallelFor& parallel)
 {
   DGG_RETURN_IF_ERROR(this->CheckTypes(arrays));
-  if (this->IsPiece)
+  if (this->PieceMark != 0)
   {
     return InvalidInput("The graph {InArrays} is that of a piece of a surface");
   }
@@ -169,7 +181,7 @@ Status StoredGraph::ReadPiece(
 {
   *this = StoredGraph();
   DGG_RETURN_IF_ERROR(this->CheckTypes(arrays));
-  if (!this->IsPiece)
+  if (this->PieceMark == 0)
   {
     return InvalidInput("The graph {InArrays} is that of an entire surface");
   }
@@ -185,7 +197,7 @@ Status StoredGraph::ReadPiece(
 Status StoredGraph::CheckTypes(const Arrays& arrays)
 {
   this->View.Info.Kind = IsOfCloud(arrays[Info]) ? GraphKind::Cloud : GraphKind::Mesh;
-  this->IsPiece = IsOfPiece(arrays[Info]);
+  this->PieceMark = IsOfPiece(arrays[Info]) ? arrays[Info].GetValues<std::int64_t>()[Piece] : 0;
   for (int role = 0; role < NumberOfRoles; ++role)
   {
     DGG_RETURN_IF_ERROR(this->CheckType(role, arrays[role]));
@@ -377,7 +389,7 @@ std::int64_t StoredGraph::ComputeChecksum(
   {
     hash.Add(this->Band.Radii, static_cast<std::size_t>(this->View.NumberOfVertices));
   }
-  if (this->IsPiece)
+  if (this->PieceMark != 0)
   {
     hash.Add(this->Ghosts.Ids, static_cast<std::size_t>(this->Ghosts.Count));
     hash.Add(this->Ghosts.Owners, static_cast<std::size_t>(this->View.NumberOfVertices));

@@ -68,7 +68,7 @@ public:
   ///@{
   /// Constructs the object with references to the arrays of a graph that was just built.
   StoredGraph(const GraphView& graph, const CloudBand& band);
-  StoredGraph(const GraphView& graph, const GhostVertices& ghosts);
+  StoredGraph(const GraphView& graph, const GhostVertices& ghosts, const Signature& piece);
   ///@}
 
   /// Reads the arrays of a graph of `surface`, and stores references to them. Checks types, sizes,
@@ -92,6 +92,8 @@ public:
   /// Returns the band of a cloud; its pointers are null for a mesh.
   const CloudBand& GetBand() const { return this->Band; }
   const GhostVertices& GetGhosts() const { return this->Ghosts; }
+  /// Returns true if the graph is that of a piece with this signature.
+  bool IsOf(const Signature& piece) const;
   /// Returns the defect of arrays that Read() refused as damaged. Empty for arrays that are intact
   /// but belong to another surface or format version.
   const std::string& GetDamage() const { return this->Damage; }
@@ -113,7 +115,7 @@ private:
   Domain BuiltOn;
   CloudBand Band;
   GhostVertices Ghosts;
-  bool IsPiece = false;
+  std::int64_t PieceMark = 0; // of the signature of a piece; 0 for an entire surface
   std::string Damage;
 };
 

@@ -353,6 +353,10 @@ void MakePiece(const SurfaceRegion& region, const std::vector<Id>& order, std::s
 
 Signature ComputeSignature(const SurfacePiece& piece)
 {
+  if (piece.NumberOfPoints == 0)
+  {
+    return {};
+  }
   BitHash hash;
   const auto size = static_cast<std::size_t>(piece.NumberOfPoints);
   hash.Add(piece.Points, 3 * size);
@@ -423,6 +427,7 @@ Status BuildPieceGraph(const TaskContext& context, ProcessGroup& group, const Su
   MakePiece(finder.Region, order, static_cast<std::size_t>(piece.NumberOfPoints), group.Here,
     united, graph);
   graph.Rows.Info = info;
+  graph.Piece = ComputeSignature(piece);
   return Status::Success();
 }
 

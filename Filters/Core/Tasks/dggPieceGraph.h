@@ -29,9 +29,10 @@ struct PieceGraph
   GeodesicGraph Rows;
   Buffer<Offset> GhostIds; ///< global ids, ascending
   Buffer<Id> Owners;       ///< see GhostVertices
+  Signature Piece{};       ///< ComputeSignature() of the piece
 };
 
-/// Returns the signature of a piece.
+/// Returns the signature of a piece; zeros for an empty one.
 DGG_CORE_EXPORT Signature ComputeSignature(const SurfacePiece& piece);
 /// Returns the signature of all pieces, which does not depend on their order.
 DGG_CORE_EXPORT Signature SumSignatures(const std::vector<Signature>& pieces);

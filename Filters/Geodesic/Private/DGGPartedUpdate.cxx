@@ -116,7 +116,16 @@ dgg::Status DGGPartedUpdate::Run(const DGGProcesses& processes, vtkIdType limit,
   if (passesSurface)
   {
     processes.Scatter(this->Ports[0].Counts, this->Results);
-    this->Deliver(GetData(inputs[0]), vtkDataObject::GetData(outputs, 0));
+    // If the first process has the graph of the entire surface, the others have none.
+    bool hasGraph = true;
+    if (processes.IsFirst())
+    {
+      vtkFieldData* data = this->Outputs[0]->GetFieldData();
+      hasGraph = DGGGraphArrays::AreOfEntireSurface(data) && !this->Graph.IsIn(data);
+    }
+    hasGraph = processes.AndAll({ hasGraph ? 1 : 0 })[0] != 0;
+    this->Deliver(GetData(inputs[0]), vtkDataObject::GetData(outputs, 0),
+      hasGraph && !processes.IsFirst());
   }
   this->Outputs.clear();
   this->Results.clear();
@@ -241,7 +250,8 @@ dgg::Status DGGPartedUpdate::JoinGraphsHere(
     }
     std::string complaint;
     DGGGraphArrays& graph = graphs.emplace_back();
-    if (!graph.FindPiece(data, all[p].Data->GetNumberOfPoints(), {}, complaint))
+    if (!graph.FindPiece(data, all[p].Data->GetNumberOfPoints(), {}, complaint) ||
+      !graph.GetGraph().IsOf(signatures.back()))
     {
       return dgg::Status::Success(); // the step complains
     }
@@ -359,7 +369,7 @@ dgg::Status DGGPartedUpdate::Compute(vtkInformationVector** inputs, vtkInformati
 
 //------------------------------------------------------------------------------
 /// Copies the input of this process to the output and adds the results of its parts.
-void DGGPartedUpdate::Deliver(vtkDataObject* input, vtkDataObject* output)
+void DGGPartedUpdate::Deliver(vtkDataObject* input, vtkDataObject* output, bool removesGraph)
 {
   output->Initialize();
   if (!input)
@@ -404,5 +414,9 @@ void DGGPartedUpdate::Deliver(vtkDataObject* input, vtkDataObject* output)
   if (this->Graph.IsIn(output->GetFieldData()))
   {
     DGGGraphArrays::Pass(input->GetFieldData(), output->GetFieldData()); // that of the piece
+  }
+  else if (removesGraph)
+  {
+    DGGGraphArrays::RemoveFrom(output->GetFieldData());
   }
 }

@@ -68,7 +68,7 @@ private:
   dgg::Status JoinGraphs(const DGGProcesses& processes, const std::vector<DGGSurfacePart>& all);
   dgg::Status JoinGraphsHere(
     const std::vector<DGGArrayList>& arrays, const std::vector<DGGSurfacePart>& all);
-  void Deliver(vtkDataObject* input, vtkDataObject* output);
+  void Deliver(vtkDataObject* input, vtkDataObject* output, bool removesGraph);
 
   std::vector<Port> Ports;
   DGGProcesses Processes{ nullptr }; // processes of the last update

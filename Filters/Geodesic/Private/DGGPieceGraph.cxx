@@ -35,7 +35,8 @@ dgg::Status DGGPieceGraph::Update(const DGGContext& context, dgg::ProcessGroup& 
   DGG_RETURN_IF_ERROR(dgg::ShareOptions(group, options));
   std::string complaint;
   bool isFound = this->OnInput.FindPiece(data, piece.NumberOfPoints, context.Parallel, complaint);
-  if (isFound && this->OnInput.GetView().Info.Surface != signature)
+  if (isFound &&
+    (this->OnInput.GetView().Info.Surface != signature || !this->OnInput.GetGraph().IsOf(ofPiece)))
   {
     isFound = false;
     if (this->WarnedTime != this->OnInput.GetTime())
