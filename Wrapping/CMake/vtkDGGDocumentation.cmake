@@ -30,6 +30,7 @@ list(APPEND doc_inputs
   Filters/Geodesic/Processes.md
   Filters/Glossary.md
   Filters/Parallel/README.md
+  Filters/Parallel/Scale.md
   Testing/README.md
   Testing/Benchmark/Differences.md
   Testing/Benchmark/README.md

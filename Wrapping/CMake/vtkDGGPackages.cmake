@@ -162,7 +162,8 @@ python3 (<< 3.${dgg_next}), python3-numpy, python3-vtk9")
   foreach (dgg_page IN ITEMS README.md CHANGELOG.md CITATION.cff LICENSE
       Filters/Glossary.md Filters/Geodesic/README.md Filters/Geodesic/Curves.md
       Filters/Geodesic/Distances.md Filters/Geodesic/Input.md Filters/Geodesic/Processes.md
-      Filters/Parallel/README.md Filters/PointCloud/README.md Filters/Spectral/README.md
+      Filters/Parallel/README.md Filters/Parallel/Scale.md Filters/PointCloud/README.md
+      Filters/Spectral/README.md
       Readers/README.md
       Wrapping/README.md Wrapping/ParaView/README.md Wrapping/Python/README.md
       Wrapping/Python/Demo.md Wrapping/Python/Files.md Wrapping/Python/Packages.md
