@@ -2,12 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// Graphs that several processes build together. Run under mpiexec; a single process is valid, too.
-#include "SeveralProcessesFixture.h"
+#include "PieceGraphFixture.h"
 
 #include "vtkDGGDistance.h"
 #include "vtkDiscreteGeodesicGraph.h"
 
-#include "vtkFieldData.h"
 #include "vtkXMLPolyDataReader.h"
 #include "vtkXMLPolyDataWriter.h"
 
@@ -15,18 +14,6 @@ using namespace dggtest;
 
 namespace
 {
-/// Values of an array in field data; empty if there is no such array.
-std::vector<double> GetValues(vtkPolyData* data, const char* name)
-{
-  std::vector<double> values;
-  vtkDataArray* array = data->GetFieldData()->GetArray(name);
-  for (vtkIdType i = 0; array && i < array->GetNumberOfTuples(); ++i)
-  {
-    values.push_back(array->GetComponent(i, 0));
-  }
-  return values;
-}
-
 struct Division
 {
   const char* Name;
@@ -160,72 +147,6 @@ const Case cases[] = { { "Terrain", [] { return MakeTerrain(32); }, 0.05 },
   { "Quads", [] { return MakeGrid(30, 20, GridCells::Quads); }, 0.1 },
   { "LongStrip", MakeLongStrip, 0.001 },
   { "DoubleLengths", [] { return MakeTerrain(10); }, 5e-6 } };
-
-class PieceGraph : public SeveralProcesses
-{
-protected:
-  void SetUp() override
-  {
-    if (this->Count == 1)
-    {
-      GTEST_SKIP() << "the test needs several processes";
-    }
-  }
-
-  vtkIdType Sum(vtkIdType here) const
-  {
-    vtkIdType sum = 0;
-    this->Controller->AllReduce(&here, &sum, 1, vtkCommunicator::SUM_OP);
-    return sum;
-  }
-
-  /// Expects that the rows of a piece are rows of a graph, bit by bit, and that each row is in one
-  /// piece.
-  void ExpectRows(vtkPolyData* piece, vtkPolyData* whole) const
-  {
-    const auto offsets = GetValues(piece, "DGG.Offsets");
-    const auto targets = GetValues(piece, "DGG.Targets");
-    const auto ghosts = GetValues(piece, "DGG.GhostIds");
-    const auto owners = GetValues(piece, "DGG.Owners");
-    const auto all = GetValues(whole, "DGG.Offsets");
-    const auto allTargets = GetValues(whole, "DGG.Targets");
-    const vtkIdType n = piece->GetNumberOfPoints();
-    ASSERT_EQ(offsets.size(), n + ghosts.size() + 1);
-    ASSERT_EQ(owners.size(), n + ghosts.size());
-    vtkIdType edges = 0;
-    vtkDataArray* ids = piece->GetPointData()->GetArray("Whole");
-    const auto getId = [&](double target) {
-      const auto v = static_cast<vtkIdType>(target);
-      return v < n ? ids->GetComponent(v, 0) : ghosts[v - n];
-    };
-    for (vtkIdType i = 0; i < n; ++i)
-    {
-      const auto id = static_cast<std::size_t>(getId(static_cast<double>(i)));
-      const auto begin = static_cast<std::size_t>(offsets[i]);
-      const auto size = static_cast<std::size_t>(offsets[i + 1]) - begin;
-      if (owners[i] >= 0.0)
-      {
-        continue; // the point belongs to another process
-      }
-      edges += static_cast<vtkIdType>(size);
-      const auto to = static_cast<std::size_t>(all[id]);
-      ASSERT_EQ(size, static_cast<std::size_t>(all[id + 1]) - to) << "point " << id;
-      for (std::size_t e = 0; e < size; ++e)
-      {
-        ASSERT_EQ(getId(targets[begin + e]), allTargets[to + e]) << "point " << id;
-      }
-      for (const char* name : { "DGG.Lengths", "DGG.Angles", "DGG.ArrivalAngles" })
-      {
-        const auto values = GetValues(piece, name);
-        const auto expected = GetValues(whole, name);
-        ASSERT_TRUE(
-          std::equal(values.begin() + begin, values.begin() + begin + size, expected.begin() + to))
-          << name << " of point " << id;
-      }
-    }
-    EXPECT_EQ(this->Sum(edges), static_cast<vtkIdType>(allTargets.size()));
-  }
-};
 
 class GraphInPieces
   : public PieceGraph
@@ -486,52 +407,6 @@ TEST_F(PieceGraph, IsWrittenAndRead)
 }
 
 //------------------------------------------------------------------------------
-/// Sources that are missing or far from the surface, and points without cells, are reported as by
-/// one process.
-TEST_F(PieceGraph, ReportsSources)
-{
-  const auto surface = MakeTerrain(12);
-  const auto part = this->TakeStrip(surface, PartIds::Global);
-  if (this->Here == this->Count - 1)
-  {
-    part->GetPoints()->InsertNextPoint(0.5, 0.5, 3.0);
-    for (const char* name : { "Whole", "GlobalPointIds" })
-    {
-      vtkIdTypeArray::SafeDownCast(part->GetPointData()->GetArray(name))->InsertNextValue(144);
-    }
-  }
-  vtkNew<vtkDGGDistance> distance;
-  distance->SetInputData(part);
-  distance->SetAccuracy(0.1);
-  const Listener listener(distance);
-  const auto expectError = [&](const char* text) {
-    this->Update(distance);
-    ASSERT_FALSE(listener.Errors.empty());
-    EXPECT_NE(listener.Errors.back().find(text), std::string::npos) << listener.Errors.back();
-    ExpectEmptyOutput(distance);
-  };
-  expectError("There is no source");
-  distance->SetSourceIds({ 3, 145 });
-  expectError("Source id 145 is out of range: the input has 145 points");
-  distance->RemoveAllSourceIds();
-  const double* const p = surface->GetPoint(70);
-  distance->SetSourceData(MakeSourcePoints({ { { p[0], p[1], p[2] } }, { { 0.5, 0.5, 9.0 } } }));
-  expectError("Source 1, at (0.5, 0.5, 9), is ");
-  distance->RemoveAllSources();
-  distance->SetSourceIds({ 3, 144 });
-  const std::size_t errors = listener.Errors.size();
-  this->Update(distance);
-  EXPECT_EQ(listener.Errors.size(), errors);
-  ASSERT_EQ(listener.Warnings.size(), this->IsFirst() ? 1u : 0u);
-  if (this->IsFirst())
-  {
-    EXPECT_NE(
-      listener.Warnings[0].find("Source id 144 is a point that no polygon uses"), std::string::npos)
-      << listener.Warnings[0];
-  }
-}
-
-//------------------------------------------------------------------------------
 /// A piece may have no field data.
 TEST_F(PieceGraph, OfPieceWithoutFieldData)
 {
@@ -544,149 +419,6 @@ TEST_F(PieceGraph, OfPieceWithoutFieldData)
   const auto graph = this->Together<vtkDiscreteGeodesicGraph>(piece, prepare);
   this->ExpectRows(
     graph->GetOutput(), Alone<vtkDiscreteGeodesicGraph>(this->Surface, prepare)->GetOutput());
-}
-
-//------------------------------------------------------------------------------
-/// An update after a failure or an abort gives the distances of one process, and getters describe
-/// the last update.
-TEST_F(PieceGraph, DistancesAfterFailures)
-{
-  const auto search = [](auto* filter) {
-    filter->SetAccuracy(0.05);
-    filter->SetSourceData(MakeSources());
-  };
-  const auto alone = Alone<vtkDGGDistance>(this->Surface, search);
-  vtkNew<vtkDGGDistance> distance;
-  distance->SetInputData(this->TakeStrip(this->Surface, PartIds::Global));
-  search(distance.Get());
-  const auto expectDistances = [&] {
-    this->Update(distance);
-    EXPECT_EQ(this->Sum(distance->GetNumberOfGraphEdges()), alone->GetNumberOfGraphEdges());
-    ExpectArray(distance->GetOutput(), alone->GetOutput(), "GeodesicDistance", 0.0);
-  };
-  const bool isLast = this->Here == this->Count - 1;
-  const Listener listener(distance);
-  distance->SetMemoryLimit(isLast ? 1000 : 0);
-  this->Update(distance);
-  EXPECT_EQ(listener.Errors.size(), 1u);
-  EXPECT_EQ(distance->GetNumberOfGraphEdges(), 0);
-  distance->SetMemoryLimit(0);
-  distance->Modified();
-  expectDistances();
-  ProgressWatch watch(distance);
-  for (const double stopAt : { 0.3, 0.6, 0.75, 0.9 })
-  {
-    watch.StopAt = isLast ? stopAt : 2.0;
-    distance->Modified();
-    this->Update(distance);
-    EXPECT_EQ(distance->GetOutput()->GetNumberOfPoints(), 0) << stopAt;
-    watch.StopAt = 2.0;
-    expectDistances();
-  }
-  distance->PassSourceArraysOn(); // gathers
-  this->Update(distance);
-  EXPECT_EQ(
-    distance->GetNumberOfGraphEdges(), this->IsFirst() ? alone->GetNumberOfGraphEdges() : 0);
-  EXPECT_EQ(listener.Errors.size(), 1u);
-}
-
-//------------------------------------------------------------------------------
-/// Ids of sources are numbers of points, whatever global ids the points have. Offsets may be so
-/// large that lengths are lost.
-TEST_F(PieceGraph, IdsAndOffsetsOfSources)
-{
-  const auto search = [](auto* filter) {
-    filter->SetAccuracy(0.05);
-    filter->SetSourceIds({ 0, 77 }, { 0.1, 0.0 });
-  };
-  const auto alone = Alone<vtkDGGDistance>(this->Surface, search);
-  using Rule = vtkIdType (*)(vtkIdType);
-  for (const Rule rule : { Rule([](vtkIdType id) { return id + 1; }),
-         Rule([](vtkIdType id) { return 2 * id; }), Rule([](vtkIdType id) { return id - 5; }) })
-  {
-    const auto piece = this->TakeStrip(this->Surface, PartIds::Global);
-    auto* ids = vtkIdTypeArray::SafeDownCast(piece->GetPointData()->GetGlobalIds());
-    for (vtkIdType i = 0; i < ids->GetNumberOfTuples(); ++i)
-    {
-      ids->SetValue(i, rule(ids->GetValue(i)));
-    }
-    const auto distance = this->Together<vtkDGGDistance>(piece, search);
-    ExpectArray(distance->GetOutput(), alone->GetOutput(), "GeodesicDistance", 0.0);
-  }
-  const auto far = [&](auto* filter) {
-    search(filter);
-    filter->SetSourceIds({ 0, 77 }, { 1e17, 1e17 });
-  };
-  ExpectArray(this->Together<vtkDGGDistance>(this->TakeStrip(this->Surface, PartIds::Global), far)
-                ->GetOutput(),
-    Alone<vtkDGGDistance>(this->Surface, far)->GetOutput(), "GeodesicDistance", 0.0);
-}
-
-//------------------------------------------------------------------------------
-/// A graph belongs to its piece: pieces that have exchanged their graphs do not use them.
-TEST_F(PieceGraph, BelongsToItsPiece)
-{
-  const auto surface = Beside(MakeTerrain(12), MakeTerrain(12), 3.0);
-  MovePoints(surface, [](double* p) { p[2] *= p[0] > 2.0 ? 5.0 : 1.0; });
-  const Labels labels = LabelStrips(surface, 2);
-  const auto take = [&](int label) {
-    return TakePart(surface, labels, label, PartIds::Global, false); // may be empty
-  };
-  const auto prepare = [](auto* graph) { graph->SetAccuracy(0.1); };
-  const auto graph = this->Together<vtkDiscreteGeodesicGraph>(take(this->Here), prepare);
-  vtkNew<vtkPolyData> moved;
-  moved->ShallowCopy(take(this->Here < 2 ? 1 - this->Here : this->Here));
-  moved->SetFieldData(graph->GetOutput()->GetFieldData());
-  vtkNew<vtkDGGDistance> distance;
-  distance->SetInputData(moved);
-  distance->SetSourceIds({ 0, 200 });
-  const Listener listener(distance);
-  this->Update(distance);
-  this->Update(distance);
-  EXPECT_EQ(listener.Warnings.size(), this->Here < 2 ? 1u : 0u);
-  EXPECT_FALSE(distance->GetUsedInputGraph());
-  ExpectArray(distance->GetOutput(),
-    Alone<vtkDGGDistance>(surface,
-      [](auto* filter) {
-        filter->SetSourceIds({ 0, 200 });
-      })
-      ->GetOutput(),
-    "GeodesicDistance", 0.0);
-}
-
-//------------------------------------------------------------------------------
-/// Global ids number the points, also if one process has all of them.
-TEST_F(PieceGraph, IdsNumberThePointsOfOneProcess)
-{
-  const auto piece = TakePart(this->Surface, Labels(this->Surface->GetNumberOfCells(), 0),
-    this->Here, PartIds::Global, false);
-  if (this->IsFirst())
-  {
-    vtkNew<vtkPolyData> turned; // the points in reversed order
-    const vtkIdType n = piece->GetNumberOfPoints();
-    turned->DeepCopy(piece);
-    for (vtkIdType i = 0; i < n; ++i)
-    {
-      turned->GetPoints()->SetPoint(i, piece->GetPoint(n - 1 - i));
-      for (const char* name : { "Whole", "GlobalPointIds" })
-      {
-        turned->GetPointData()->GetArray(name)->SetTuple(
-          i, n - 1 - i, piece->GetPointData()->GetArray(name));
-      }
-    }
-    vtkDataArray* corners = turned->GetPolys()->GetConnectivityArray();
-    for (vtkIdType k = 0; k < corners->GetNumberOfTuples(); ++k)
-    {
-      corners->SetTuple1(k, static_cast<double>(n - 1) - corners->GetTuple1(k));
-    }
-    piece->DeepCopy(turned);
-  }
-  const auto search = [](auto* filter) {
-    filter->SetSourceIds({ 5, 77 });
-    filter->GenerateVirtualSourceOn(); // gathers
-  };
-  ExpectArray(this->Together<vtkDGGDistance>(piece, search)->GetOutput(),
-    Alone<vtkDGGDistance>(this->Surface, search)->GetOutput(), "GeodesicDistance", 0.0);
 }
 
 //------------------------------------------------------------------------------

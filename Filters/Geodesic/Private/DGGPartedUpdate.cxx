@@ -124,8 +124,8 @@ dgg::Status DGGPartedUpdate::Run(const DGGProcesses& processes, vtkIdType limit,
       hasGraph = DGGGraphArrays::AreOfEntireSurface(data) && !this->Graph.IsIn(data);
     }
     hasGraph = processes.AndAll({ hasGraph ? 1 : 0 })[0] != 0;
-    this->Deliver(GetData(inputs[0]), vtkDataObject::GetData(outputs, 0),
-      hasGraph && !processes.IsFirst());
+    this->Deliver(
+      GetData(inputs[0]), vtkDataObject::GetData(outputs, 0), hasGraph && !processes.IsFirst());
   }
   this->Outputs.clear();
   this->Results.clear();

@@ -1,0 +1,93 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Graphs of surfaces that several processes have in pieces.
+#ifndef PieceGraphFixture_h
+#define PieceGraphFixture_h
+
+#include "SeveralProcessesFixture.h"
+
+#include "vtkFieldData.h"
+
+namespace dggtest
+{
+/// Values of an array in field data; empty if there is no such array.
+inline std::vector<double> GetValues(vtkPolyData* data, const char* name)
+{
+  std::vector<double> values;
+  vtkDataArray* array = data->GetFieldData()->GetArray(name);
+  for (vtkIdType i = 0; array && i < array->GetNumberOfTuples(); ++i)
+  {
+    values.push_back(array->GetComponent(i, 0));
+  }
+  return values;
+}
+
+class PieceGraph : public SeveralProcesses
+{
+protected:
+  void SetUp() override
+  {
+    if (this->Count == 1)
+    {
+      GTEST_SKIP() << "the test needs several processes";
+    }
+  }
+
+  vtkIdType Sum(vtkIdType here) const
+  {
+    vtkIdType sum = 0;
+    this->Controller->AllReduce(&here, &sum, 1, vtkCommunicator::SUM_OP);
+    return sum;
+  }
+
+  /// Expects that the rows of a piece are rows of a graph, bit by bit, and that each row is in one
+  /// piece.
+  void ExpectRows(vtkPolyData* piece, vtkPolyData* whole) const
+  {
+    const auto offsets = GetValues(piece, "DGG.Offsets");
+    const auto targets = GetValues(piece, "DGG.Targets");
+    const auto ghosts = GetValues(piece, "DGG.GhostIds");
+    const auto owners = GetValues(piece, "DGG.Owners");
+    const auto all = GetValues(whole, "DGG.Offsets");
+    const auto allTargets = GetValues(whole, "DGG.Targets");
+    const vtkIdType n = piece->GetNumberOfPoints();
+    ASSERT_EQ(offsets.size(), n + ghosts.size() + 1);
+    ASSERT_EQ(owners.size(), n + ghosts.size());
+    vtkIdType edges = 0;
+    vtkDataArray* ids = piece->GetPointData()->GetArray("Whole");
+    const auto getId = [&](double target) {
+      const auto v = static_cast<vtkIdType>(target);
+      return v < n ? ids->GetComponent(v, 0) : ghosts[v - n];
+    };
+    for (vtkIdType i = 0; i < n; ++i)
+    {
+      const auto id = static_cast<std::size_t>(getId(static_cast<double>(i)));
+      const auto begin = static_cast<std::size_t>(offsets[i]);
+      const auto size = static_cast<std::size_t>(offsets[i + 1]) - begin;
+      if (owners[i] >= 0.0)
+      {
+        continue; // the point belongs to another process
+      }
+      edges += static_cast<vtkIdType>(size);
+      const auto to = static_cast<std::size_t>(all[id]);
+      ASSERT_EQ(size, static_cast<std::size_t>(all[id + 1]) - to) << "point " << id;
+      for (std::size_t e = 0; e < size; ++e)
+      {
+        ASSERT_EQ(getId(targets[begin + e]), allTargets[to + e]) << "point " << id;
+      }
+      for (const char* name : { "DGG.Lengths", "DGG.Angles", "DGG.ArrivalAngles" })
+      {
+        const auto values = GetValues(piece, name);
+        const auto expected = GetValues(whole, name);
+        ASSERT_TRUE(
+          std::equal(values.begin() + begin, values.begin() + begin + size, expected.begin() + to))
+          << name << " of point " << id;
+      }
+    }
+    EXPECT_EQ(this->Sum(edges), static_cast<vtkIdType>(allTargets.size()));
+  }
+};
+}
+
+#endif
