@@ -79,7 +79,7 @@ struct DGG_CORE_EXPORT SourceCollection
   /// finite; else an empty text.
   std::string DescribeIsolated(
     const PreparedSurface& surface, const std::vector<GeodesicSource>& sources) const;
-  /// Returns this warning for given points, ids first.
+  /// Returns the same warning for sources given by their indices: ids first, then positions.
   std::string DescribeIsolated(const std::vector<std::size_t>& isolated, bool isCloud) const;
 
   using Position = std::array<double, 3>;

@@ -98,8 +98,8 @@ private:
   int Here = 0; // this process
   std::vector<Offset> PointIds;
   std::vector<double> Positions;
-  std::vector<std::vector<int>> Holders; // per point, the processes with cells at it, sorted
-  std::vector<Id> Rim;                   // points with cells that are not here
+  std::vector<std::vector<int>> Holders; // per point, the processes that have it, sorted
+  std::vector<Id> Rim;                   // points some of whose cells are missing
   std::unordered_map<Offset, Id> Points; // by global id
   std::vector<Cell> Cells;
   std::vector<Id> Corners;

@@ -18,6 +18,7 @@ struct DistanceOutput;
 struct DistanceRequest;
 struct SourceCollection;
 
+/// Options of distances in pieces.
 struct PieceDistanceOptions
 {
   double Tolerance = 0.0; ///< see SourceCollection::Locate()

@@ -57,7 +57,7 @@ class DGG_CORE_EXPORT PieceSearch
 {
 public:
   /// Prepares searches. The arrays must outlive this object. `isUsable` becomes false on all
-  /// processes if the parts of the graph do not belong together.
+  /// processes if the parts do not form one graph.
   Status Prepare(ProcessGroup& group, const SurfacePiece& piece, const GraphView& graph,
     const GhostVertices& ghosts, bool& isUsable);
 
@@ -77,7 +77,8 @@ public:
   /// Returns true if the global ids are consecutive numbers, and the first of them.
   bool HasConsecutiveIds() const
   {
-    return this->LargestId - this->SmallestId + 1 == this->NumberOfPoints;
+    return this->NumberOfPoints > 0 &&
+      this->LargestId - this->SmallestId + 1 == this->NumberOfPoints;
   }
   Offset GetFirstId() const { return this->SmallestId; }
   ///@}
@@ -123,8 +124,8 @@ private:
   Offset LargestId = std::numeric_limits<Offset>::min();
   double BucketWidth = 0.0;
   ///@{
-  // Per process, the vertices that belong to this process and are known there, and the vertices
-  // that belong to that process, both in the same order as there.
+  // Per process p: vertices of this process that p has as well, and vertices of p that this process
+  // has. Both processes have them in the same order.
   std::vector<std::vector<Id>> Sent;
   std::vector<std::vector<Id>> Received;
   ///@}
