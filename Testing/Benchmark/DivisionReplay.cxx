@@ -124,8 +124,9 @@ void DivisionReplay::FindLayers(const MeshArrays& mesh, const dgg::GeodesicGraph
   }
 }
 
-/// Arrivals are sent wherever a path passes from one process to another. Labels are not if the path
-/// returns with the next edge, since both processes have this edge.
+/// Labels and arrivals are sent where a path passes from one process to another, unless the path
+/// returns with the next edge, since both processes have this edge. All processes have the labels
+/// of sources. Shared points need arrivals on all processes that have them.
 void DivisionReplay::AddRounds(const dgg::SearchResult& result, double queries)
 {
   std::vector<dgg::Id> order(result.Reached);
@@ -133,6 +134,7 @@ void DivisionReplay::AddRounds(const dgg::SearchResult& result, double queries)
     [&](dgg::Id a, dgg::Id b) { return result.Distances[a] < result.Distances[b]; });
   std::vector<int> labels(this->Owners.size(), 0); // number of messages before
   std::vector<int> arrivals(this->Owners.size(), 0);
+  int treeRounds = 0;
   for (const dgg::Id v : order)
   {
     const dgg::Id tail = result.Tails[v];
@@ -146,9 +148,15 @@ void DivisionReplay::AddRounds(const dgg::SearchResult& result, double queries)
     labels[v] = labels[tail] + (isSent && before != dgg::NoId ? 1 : 0);
     if (isSent && before != dgg::NoId && this->Owners[before] == this->Owners[v])
     {
+      arrivals[v] = std::min(arrivals[v], arrivals[before]);
       labels[v] = std::min(labels[v], labels[before]);
+    }
+    for (const int holder : this->Holders[v])
+    {
+      const bool isFollowed = holder == this->Owners[v] || holder == this->Owners[tail];
+      treeRounds = std::max(treeRounds, arrivals[v] + (isFollowed ? 0 : 1));
     }
   }
   this->LabelRounds += (2 + *std::max_element(labels.begin(), labels.end())) / queries;
-  this->TreeRounds += (1 + *std::max_element(arrivals.begin(), arrivals.end())) / queries;
+  this->TreeRounds += (1 + treeRounds) / queries;
 }

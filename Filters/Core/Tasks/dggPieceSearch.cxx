@@ -369,12 +369,13 @@ std::vector<GraphSeed> PieceSearch::ReadLowered(const std::vector<Message>& mess
   return lowered;
 }
 
-/// Tree of the vertices of this process, and the arrivals that are missing.
+/// Tree of the vertices whose arrivals this process computes, and the arrivals that are missing.
 struct PieceSearch::Tree
 {
-  Groups Children;                      // of all vertices
-  std::vector<Id> Ready;                // vertices with a known tail
-  std::size_t NumberLeft = 0;           // vertices without an arrival
+  std::vector<std::uint8_t> IsFollowed; // arrivals are computed here, per vertex
+  Groups Children;                      // followed vertices, per vertex
+  std::vector<Id> Ready;                // followed vertices with a known tail
+  std::size_t NumberLeft = 0;           // followed vertices without an arrival
   std::vector<std::vector<Id>> Pending; // per process, indices into Sent that it waits for
 
   void AddChildren(Id v)
@@ -391,46 +392,12 @@ Status PieceSearch::FollowTree(ProcessGroup& group, const std::vector<GraphSeed>
   bool& isUsable)
 {
   Tree tree;
-  std::vector<std::vector<Id>> needed(this->Received.size()); // indices into Received
-  const Id n = this->Graph.NumberOfVertices;
-  arrivals.assign(static_cast<std::size_t>(n), Arrival());
-  const auto isReachedHere = [&](Id v) { return this->IsHere(v) && this->Distances[v] < Infinity; };
-  tree.Children = MakeGroups(n, n, [&](Id v) {
-    return isReachedHere(v) && !this->Origins[v].IsSeed() ? this->Origins[v].Tail : NoId;
-  });
-  isUsable = true;
-  for (Id v = 0; v < n; ++v)
-  {
-    tree.NumberLeft += isReachedHere(v) ? 1 : 0;
-    if (isReachedHere(v) && this->Origins[v].IsSeed())
-    {
-      tree.Ready.push_back(v);
-    }
-    else if (isReachedHere(v))
-    {
-      // Otherwise tails could form a cycle.
-      isUsable = isUsable && this->Distances[this->Origins[v].Tail] < this->Distances[v];
-    }
-  }
-  DGG_RETURN_IF_ERROR(group.Require(isUsable));
+  arrivals.assign(static_cast<std::size_t>(this->Graph.NumberOfVertices), Arrival());
+  DGG_RETURN_IF_ERROR(this->PrepareTree(group, tree, isUsable));
   if (!isUsable)
   {
     return Status::Success();
   }
-  for (std::size_t process = 0; process < needed.size(); ++process)
-  {
-    for (std::size_t k = 0; k < this->Received[process].size(); ++k)
-    {
-      const Id v = this->Received[process][k];
-      const bool isTail = tree.Children.Begins[v] < tree.Children.Begins[v + 1];
-      if (isTail || (v < this->PointsHere && this->Distances[v] < Infinity))
-      {
-        needed[process].push_back(static_cast<Id>(k));
-      }
-    }
-  }
-  DGG_RETURN_IF_ERROR(ExchangeLists(group, needed));
-  tree.Pending = std::move(needed);
   std::vector<Message> messages;
   const auto total = static_cast<double>(std::max<std::size_t>(1, tree.NumberLeft));
   for (bool isOver = false; !isOver;)
@@ -446,6 +413,111 @@ Status PieceSearch::FollowTree(ProcessGroup& group, const std::vector<GraphSeed>
   return isComplete ? Status::Success()
                     : Status(Status::Code::DamagedGraph, "The pieces do not form one graph")
                         .Fix("Compute the graph again on these processes");
+}
+
+/// Chooses the vertices whose arrivals this process computes: those that belong to it, and ghosts
+/// that it needs and whose tails belong to it. A path that leaves the piece and returns with the
+/// next edge then needs no message.
+Status PieceSearch::PrepareTree(ProcessGroup& group, Tree& tree, bool& isUsable)
+{
+  const Id n = this->Graph.NumberOfVertices;
+  const auto count = static_cast<std::size_t>(group.Count);
+  std::vector<std::uint8_t> isNeeded(static_cast<std::size_t>(n), 0);
+  tree.IsFollowed = isNeeded;
+  isUsable = true;
+  for (Id v = 0; v < n; ++v)
+  {
+    const bool isReached = this->Distances[v] < Infinity;
+    tree.IsFollowed[v] = isReached && this->IsHere(v) ? 1 : 0;
+    isNeeded[v] |= isReached && v < this->PointsHere ? 1 : 0;
+    if (tree.IsFollowed[v] && !this->Origins[v].IsSeed())
+    {
+      const Id tail = this->Origins[v].Tail;
+      isNeeded[tail] = 1;
+      isUsable = isUsable && this->Distances[tail] < this->Distances[v]; // tails form no cycle
+    }
+  }
+  std::vector<Message> messages(count);
+  for (std::size_t process = 0; process < count; ++process)
+  {
+    std::vector<Id> needed;                 // indices into Received
+    std::vector<SharedValue<Offset>> tails; // global ids of tails that belong to the process
+    for (std::size_t k = 0; k < this->Received[process].size(); ++k)
+    {
+      if (isNeeded[this->Received[process][k]])
+      {
+        needed.push_back(static_cast<Id>(k));
+      }
+    }
+    for (std::size_t k = 0; k < this->Sent[process].size(); ++k)
+    {
+      const Id v = this->Sent[process][k];
+      if (this->HasTailOf(v, process))
+      {
+        tails.push_back({ static_cast<Id>(k), this->Ids[this->Origins[v].Tail] });
+      }
+    }
+    Append(messages[process], needed);
+    Append(messages[process], tails);
+  }
+  DGG_RETURN_IF_ERROR(group.Exchange(messages, this->GetMemorySize()));
+  tree.Pending.resize(count);
+  for (std::size_t process = 0; process < count; ++process)
+  {
+    MessageReader reader(messages[process]);
+    std::vector<Id>& pending = tree.Pending[process];
+    pending = reader.Take<Id>();
+    pending.erase(std::remove_if(pending.begin(), pending.end(),
+                    [&](Id k) { return this->HasTailOf(this->Sent[process][k], process); }),
+      pending.end());
+    for (const auto& tail : reader.Take<SharedValue<Offset>>())
+    {
+      const Id v = this->Received[process][tail.Index];
+      if (isNeeded[v])
+      {
+        isUsable = this->SetTail(v, this->FindVertex(tail.Content)) && isUsable;
+        tree.IsFollowed[v] = 1;
+      }
+    }
+  }
+  DGG_RETURN_IF_ERROR(group.Require(isUsable));
+  if (!isUsable)
+  {
+    return Status::Success();
+  }
+  tree.Children = MakeGroups(n, n, [&](Id v) {
+    return tree.IsFollowed[v] && !this->Origins[v].IsSeed() ? this->Origins[v].Tail : NoId;
+  });
+  for (Id v = 0; v < n; ++v)
+  {
+    tree.NumberLeft += tree.IsFollowed[v];
+    if (tree.IsFollowed[v] && this->Origins[v].IsSeed())
+    {
+      tree.Ready.push_back(v);
+    }
+  }
+  return Status::Success();
+}
+
+/// Returns true if a vertex of this process is reached from a vertex of another one.
+bool PieceSearch::HasTailOf(Id v, std::size_t process) const
+{
+  return this->Distances[v] < Infinity && !this->Origins[v].IsSeed() &&
+    this->Ghosts.Owners[this->Origins[v].Tail] == static_cast<Id>(process);
+}
+
+/// Sets the tail of a ghost, a vertex of this process. Returns false if no edge joins them.
+bool PieceSearch::SetTail(Id v, Id tail)
+{
+  if (tail == NoId || !(this->Distances[tail] < this->Distances[v]))
+  {
+    return false;
+  }
+  const Id* const row = this->Graph.Targets + this->Graph.Offsets[tail];
+  const Id* const end = this->Graph.Targets + this->Graph.Offsets[tail + 1];
+  const Id* const found = std::find(row, end, v);
+  this->Origins[v] = { found - this->Graph.Targets, tail };
+  return found != end;
 }
 
 /// Enters the arrivals in messages.

@@ -107,6 +107,9 @@ private:
   std::vector<GraphSeed> ReadLowered(const std::vector<Message>& messages) const;
   Status FollowTree(ProcessGroup& group, const std::vector<GraphSeed>& seeds, double smallestOffset,
     const ProgressCallback& progress, std::vector<Arrival>& arrivals, bool& isUsable);
+  Status PrepareTree(ProcessGroup& group, Tree& tree, bool& isUsable);
+  bool HasTailOf(Id v, std::size_t process) const;
+  bool SetTail(Id v, Id tail);
   void ReadArrivals(
     const std::vector<Message>& messages, Tree& tree, std::vector<Arrival>& arrivals) const;
   void Descend(const std::vector<GraphSeed>& seeds, double smallestOffset, Tree& tree,
