@@ -92,6 +92,12 @@ void CountEdges(const RowStore& rows, const std::vector<Id>& order, Buffer<Offse
 class RowSorter
 {
 public:
+  /// `ids` are those of AssembleGraph().
+  explicit RowSorter(const Id* ids)
+    : TargetIds(ids)
+  {
+  }
+
   void Sort(GeodesicGraph& graph, Id row)
   {
     const Offset begin = graph.Offsets[row];
@@ -106,8 +112,12 @@ public:
       this->Order[i] = static_cast<std::uint64_t>(bits) << 32 | i;
     }
     const Id* const targets = graph.Targets.Data() + begin;
-    std::sort(this->Order.begin(), this->Order.end(), [targets](std::uint64_t a, std::uint64_t b) {
-      return a >> 32 != b >> 32 ? a < b : targets[a & 0xffffffffU] < targets[b & 0xffffffffU];
+    const auto idOf = [this, targets](std::uint64_t key) {
+      const Id target = targets[key & 0xffffffffU];
+      return this->TargetIds ? this->TargetIds[target] : target;
+    };
+    std::sort(this->Order.begin(), this->Order.end(), [&](std::uint64_t a, std::uint64_t b) {
+      return a >> 32 != b >> 32 ? a < b : idOf(a) < idOf(b);
     });
     this->Permute(graph.Targets.Data() + begin, this->Ids);
     this->Permute(graph.Angles.Data() + begin, this->Floats);
@@ -133,6 +143,7 @@ private:
     }
   }
 
+  const Id* TargetIds;
   std::vector<std::uint64_t> Order;
   std::vector<Id> Ids;
   std::vector<float> Floats;
@@ -141,7 +152,8 @@ private:
 }
 
 Status AssembleGraph(RowStore& rows, const std::vector<Id>& order, bool wide,
-  const ParallelFor& parallel, const ProgressCallback& progress, GeodesicGraph& graph)
+  const ParallelFor& parallel, const ProgressCallback& progress, GeodesicGraph& graph,
+  const Id* ids)
 {
   const auto isToStop = [&](double done) { return progress && !progress(done); };
   const auto n = static_cast<std::size_t>(rows.GetNumberOfRows());
@@ -195,7 +207,7 @@ Status AssembleGraph(RowStore& rows, const std::vector<Id>& order, bool wide,
   }
 
   ForRange(parallel, static_cast<Offset>(n), RowGrain, [&](Offset begin, Offset end) {
-    RowSorter sorter;
+    RowSorter sorter(ids);
     for (Offset row = begin; row < end; ++row)
     {
       sorter.Sort(graph, static_cast<Id>(row));

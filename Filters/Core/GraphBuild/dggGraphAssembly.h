@@ -14,10 +14,12 @@
 namespace dgg
 {
 /// Writes the graph from united rows: each edge in both directions, every row sorted by angle.
-/// Releases the rows during the assembly. `order` lists the final ids of the rows. Fails if
+/// Releases the rows during the assembly. `order` lists the final ids of the rows. Edges with equal
+/// angles are sorted by `ids` of their targets, or by the final ids if `ids` is null. Fails if
 /// `progress`, which may be empty, returns false.
 Status AssembleGraph(RowStore& rows, const std::vector<Id>& order, bool wide,
-  const ParallelFor& parallel, const ProgressCallback& progress, GeodesicGraph& graph);
+  const ParallelFor& parallel, const ProgressCallback& progress, GeodesicGraph& graph,
+  const Id* ids = nullptr);
 }
 
 #endif

@@ -55,6 +55,7 @@ public:
   Offset GetCapacityOfRows() const { return static_cast<Offset>(this->Begins.capacity() - 1); }
   void AppendRow(const RowEdge* begin, const RowEdge* end);
   void Set(Offset i, const RowEdge& edge);
+  void SetTarget(Offset i, Id target) { this->Targets[i] = target; }
   /// Sets all properties except the target, so that other threads may read targets simultaneously.
   void SetWay(Offset i, double length, float departure, float arrival);
   RowEdge Get(Offset i) const;

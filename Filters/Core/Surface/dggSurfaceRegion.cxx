@@ -109,6 +109,8 @@ bool SurfaceRegion::AddPiece(const SurfacePiece& piece)
   const CellArrays& polygons = piece.Cells[Polygons];
   const Offset first = piece.Cells[0].NumberOfCells + piece.Cells[1].NumberOfCells;
   std::vector<Id> cellOfCorners;
+  this->Cells.reserve(static_cast<std::size_t>(polygons.NumberOfCells));
+  this->Corners.reserve(static_cast<std::size_t>(polygons.NumberOfIds));
   for (Offset i = 0; i < polygons.NumberOfCells; ++i)
   {
     const auto size = static_cast<std::size_t>(polygons.End(i) - polygons.Begin(i));

@@ -35,16 +35,6 @@ constexpr double FindingShare = 0.9;
 /// Bytes of a vertex of a region: its order, rank and id, and the flag of the rim.
 constexpr std::size_t BytesOfVertex = 2 * sizeof(Id) + sizeof(Offset) + 1;
 
-/// An edge between points of a region, found from its source.
-struct RegionEdge
-{
-  Id Source;
-  Id Target;
-  double Length;
-  float Departure; // polar angles
-  float Arrival;
-};
-
 /// An edge to a point of another process, as it is sent there.
 struct SentEdge
 {
@@ -59,9 +49,12 @@ struct SentEdge
 class EdgeFinder
 {
 public:
-  EdgeFinder(const TaskContext& context, ProcessGroup& group, const GraphOptions& options)
-    : Group(group)
+  EdgeFinder(
+    const TaskContext& context, ProcessGroup& group, const GraphOptions& options, bool isWide)
+    : Rows(isWide)
+    , Group(group)
     , Options(options)
+    , BytesOfEdge(isWide ? 20.0 : 16.0)
   {
     UseThreads(context, this->Options);
     this->Options.Progress = ProgressPart(context.Progress, 0.0, FindingShare);
@@ -140,13 +133,17 @@ public:
   {
     std::vector<Message> messages(static_cast<std::size_t>(this->Group.Count));
     std::vector<std::vector<SentEdge>> sent(messages.size());
-    for (const RegionEdge& edge : this->Edges)
+    for (std::size_t row = 0; row < this->Sources.size(); ++row)
     {
-      const int owner = this->Region.GetOwner(edge.Target);
-      if (owner != this->Group.Here)
+      for (Offset i = this->Rows.Begin(row); i < this->Rows.End(row); ++i)
       {
-        sent[owner].push_back({ this->Region.GetPointId(edge.Source),
-          this->Region.GetPointId(edge.Target), edge.Length, edge.Departure, edge.Arrival });
+        const RowEdge edge = this->Rows.Get(i);
+        const int owner = this->Region.GetOwner(edge.Target);
+        if (owner != this->Group.Here)
+        {
+          sent[owner].push_back({ this->Region.GetPointId(this->Sources[row]),
+            this->Region.GetPointId(edge.Target), edge.Length, edge.Departure, edge.Arrival });
+        }
       }
     }
     for (std::size_t process = 0; process < sent.size(); ++process)
@@ -158,11 +155,17 @@ public:
       this->Group.Exchange(messages, this->GetMemorySize() + this->Region.GetMemorySize()));
     for (int process = 0; process < this->Group.Count; ++process)
     {
-      for (const SentEdge& edge : MessageReader(messages[process]).Take<SentEdge>())
+      const std::vector<SentEdge> received = MessageReader(messages[process]).Take<SentEdge>();
+      for (auto next = received.begin(); next != received.end();)
       {
-        const Id source = this->Region.AddVertex(edge.Source, process);
-        const Id target = this->Region.AddVertex(edge.Target, this->Group.Here);
-        this->Edges.push_back({ source, target, edge.Length, edge.Departure, edge.Arrival });
+        const Offset source = next->Source;
+        this->Row.clear();
+        for (; next != received.end() && next->Source == source; ++next)
+        {
+          const Id target = this->Region.AddVertex(next->Target, this->Group.Here);
+          this->Row.push_back({ target, next->Length, next->Departure, next->Arrival });
+        }
+        this->AppendRow(this->Region.AddVertex(source, process));
       }
     }
     return Status::Success();
@@ -171,11 +174,12 @@ public:
   /// Returns the size in bytes of the edges found.
   double GetMemorySize() const
   {
-    return static_cast<double>(this->Edges.capacity() * sizeof(RegionEdge));
+    return this->BytesOfEdge * static_cast<double>(this->Rows.GetNumberOfEdges());
   }
 
-  std::vector<RegionEdge> Edges;
   SurfaceRegion Region;
+  RowStore Rows;           // edges to points of the region
+  std::vector<Id> Sources; // points of the region, per row
 
 private:
   /// Prepares the search for the edges of points that are not finished. Fails if it would take too
@@ -225,129 +229,106 @@ private:
               this->Unfinished.push_back(source);
               continue;
             }
-            for (const RowEdge* const end = next + size; next != end; ++next)
+            this->Row.assign(next, next + size);
+            next += size;
+            for (RowEdge& edge : this->Row)
             {
-              this->Edges.push_back(
-                { source, getPoint(next->Target), next->Length, next->Departure, next->Arrival });
+              edge.Target = getPoint(edge.Target);
             }
+            this->AppendRow(source);
           }
         }
       });
+  }
+
+  void AppendRow(Id source)
+  {
+    this->Sources.push_back(source);
+    this->Rows.AppendRow(this->Row.data(), this->Row.data() + this->Row.size());
   }
 
   ProcessGroup& Group;
   GraphOptions Options;
   std::vector<Id> Unfinished; // points of the region
   std::vector<Id> Order;      // points of the region in the order of its mesh
+  std::vector<RowEdge> Row;   // the next one of Rows
   GraphStatistics Statistics;
+  double BytesOfEdge;
 };
 
-/// Unites both directions of edges between points of a region. The vertices of the graph are the
-/// points in the order `order`.
-Status Assemble(const TaskContext& context, std::vector<RegionEdge>& edges,
-  const std::vector<Id>& order, bool isWide, GeodesicGraph& graph)
+/// Points of a region that are vertices of the graph of its piece: those of the piece, then ghosts
+/// in the order of their ids.
+struct PieceVertices
 {
-  const auto n = static_cast<Id>(order.size());
-  std::vector<Id> rank(order.size());
-  for (Id v = 0; v < n; ++v)
+  PieceVertices(const EdgeFinder& finder, std::size_t pointsOfPiece)
+    : Of(static_cast<std::size_t>(finder.Region.GetNumberOfPoints()), NoId)
+    , Points(pointsOfPiece)
+    , Ranks(pointsOfPiece)
   {
-    rank[order[v]] = v;
-  }
-  std::vector<Offset> ends(order.size() + 1, 0); // of the edges of each source, in `bySource`
-  for (const RegionEdge& edge : edges)
-  {
-    ++ends[rank[edge.Source] + 1];
-  }
-  std::partial_sum(ends.begin(), ends.end(), ends.begin());
-  std::vector<Offset> bySource(edges.size());
-  for (std::size_t e = 0; e < edges.size(); ++e)
-  {
-    bySource[ends[rank[edges[e].Source]]++] = static_cast<Offset>(e);
-  }
-  RowStore rows(isWide);
-  rows.ReserveRows(n);
-  std::vector<RowEdge> row;
-  for (Offset v = 0, i = 0; v < n; ++v)
-  {
-    for (row.clear(); i < ends[v]; ++i)
+    std::iota(this->Points.begin(), this->Points.end(), 0);
+    std::iota(this->Of.begin(), this->Of.begin() + pointsOfPiece, 0);
+    std::vector<std::uint8_t> isEnd(this->Of.size(), 0); // of an edge
+    for (std::size_t row = 0; row < finder.Sources.size(); ++row)
     {
-      const RegionEdge& edge = edges[bySource[i]];
-      row.push_back({ rank[edge.Target], edge.Length, edge.Departure, edge.Arrival });
+      for (Offset i = finder.Rows.Begin(row); i < finder.Rows.End(row); ++i)
+      {
+        isEnd[finder.Sources[row]] = isEnd[finder.Rows.Target(i)] = 1;
+      }
     }
-    rows.AppendRow(row.data(), row.data() + row.size());
+    Id rank = 0;
+    for (const Id point : finder.Region.GetOrder())
+    {
+      if (this->Of[point] != NoId)
+      {
+        this->Ranks[point] = rank++;
+      }
+      else if (isEnd[point])
+      {
+        this->Of[point] = static_cast<Id>(this->Points.size());
+        this->Points.push_back(point);
+        this->Ranks.push_back(rank++);
+      }
+    }
   }
-  std::vector<Offset>().swap(bySource);
-  std::vector<RegionEdge>().swap(edges);
-  std::vector<Id> ids(order.size()); // in the order of global ids
-  std::iota(ids.begin(), ids.end(), 0);
-  DirectionUnion(ids).Unite(rows, 0, context.Parallel);
-  return AssembleGraph(
-    rows, ids, isWide, context.Parallel, ProgressPart(context.Progress, FindingShare, 1.0), graph);
-}
 
-/// Returns a graph with some rows of `from`. `targets` are the new ids of the vertices of `from`.
-void TakeRows(const GeodesicGraph& from, const std::vector<Id>& rows,
-  const std::vector<Id>& targets, GeodesicGraph& graph)
+  std::vector<Id> Of;     // vertex of each point of the region, or NoId
+  std::vector<Id> Points; // of the region, per vertex
+  std::vector<Id> Ranks;  // in the order of global ids, per vertex
+};
+
+/// Makes a graph of the rows that were found, which are released.
+Status Assemble(const TaskContext& context, EdgeFinder& finder, const PieceVertices& vertices,
+  bool isWide, GeodesicGraph& graph)
 {
-  graph.Offsets = Buffer<Offset>(rows.size() + 1);
-  graph.Offsets[0] = 0;
-  for (std::size_t v = 0; v < rows.size(); ++v)
-  {
-    graph.Offsets[v + 1] = graph.Offsets[v] + from.Offsets[rows[v] + 1] - from.Offsets[rows[v]];
-  }
-  const auto size = static_cast<std::size_t>(graph.Offsets[rows.size()]);
-  graph.Targets = Buffer<Id>(size);
-  const auto copy = [&](const auto& source, auto& values) {
-    values = std::decay_t<decltype(values)>(source.IsEmpty() ? 0 : size);
-    for (std::size_t v = 0; v < rows.size() && !source.IsEmpty(); ++v)
-    {
-      std::copy_n(source.Data() + from.Offsets[rows[v]], graph.Offsets[v + 1] - graph.Offsets[v],
-        values.Data() + graph.Offsets[v]);
-    }
+  RowStore& rows = finder.Rows;
+  std::vector<Id> order; // vertex per row
+  std::vector<Id> rowOf(vertices.Points.size(), NoId);
+  const auto addRow = [&](Id vertex) {
+    rowOf[vertex] = static_cast<Id>(order.size());
+    order.push_back(vertex);
   };
-  copy(from.Targets, graph.Targets);
-  std::transform(graph.Targets.begin(), graph.Targets.end(), graph.Targets.begin(),
-    [&](Id target) { return targets[target]; });
-  copy(from.Lengths, graph.Lengths);
-  copy(from.WideLengths, graph.WideLengths);
-  copy(from.Angles, graph.Angles);
-  copy(from.ArrivalAngles, graph.ArrivalAngles);
-}
-
-/// Takes the points of the piece, and ghosts, from a graph of the points of the region in the order
-/// `order`.
-void MakePiece(const SurfaceRegion& region, const std::vector<Id>& order, std::size_t n, int here,
-  const GeodesicGraph& from, PieceGraph& graph)
-{
-  std::vector<Id> targets(order.size(), NoId);
-  std::vector<Id> rows(n);
-  std::vector<Offset> ghosts;
-  std::vector<Id> points(n); // of the region, per vertex
-  std::iota(points.begin(), points.end(), 0);
-  for (std::size_t v = 0; v < order.size(); ++v)
+  for (const Id source : finder.Sources)
   {
-    const Id point = order[v];
-    if (static_cast<std::size_t>(point) < n)
+    addRow(vertices.Of[source]);
+  }
+  for (std::size_t v = 0; v < rowOf.size(); ++v)
+  {
+    if (rowOf[v] == NoId)
     {
-      targets[v] = point;
-      rows[point] = static_cast<Id>(v);
-    }
-    else if (from.Offsets[v + 1] > from.Offsets[v]) // the end of an edge of this process
-    {
-      targets[v] = static_cast<Id>(rows.size());
-      rows.push_back(static_cast<Id>(v));
-      points.push_back(point);
-      ghosts.push_back(region.GetPointId(point));
+      addRow(static_cast<Id>(v));
+      rows.AppendRow(nullptr, nullptr);
     }
   }
-  TakeRows(from, rows, targets, graph.Rows);
-  graph.GhostIds = Buffer<Offset>(ghosts.size());
-  std::copy(ghosts.begin(), ghosts.end(), graph.GhostIds.begin());
-  graph.Owners = Buffer<Id>(points.size());
-  std::transform(points.begin(), points.end(), graph.Owners.begin(), [&](Id point) {
-    const int owner = region.GetOwner(point);
-    return owner == here ? GhostVertices::Here : owner;
-  });
+  for (Offset i = 0; i < rows.GetNumberOfEdges(); ++i)
+  {
+    rows.SetTarget(i, rowOf[vertices.Of[rows.Target(i)]]);
+  }
+  std::vector<Id> ranks;
+  std::transform(order.begin(), order.end(), std::back_inserter(ranks),
+    [&](Id vertex) { return vertices.Ranks[vertex]; });
+  DirectionUnion(ranks).Unite(rows, 0, context.Parallel);
+  return AssembleGraph(rows, order, isWide, context.Parallel,
+    ProgressPart(context.Progress, FindingShare, 1.0), graph, vertices.Ranks.data());
 }
 }
 
@@ -405,29 +386,35 @@ Status BuildPieceGraph(const TaskContext& context, ProcessGroup& group, const Su
 {
   graph = PieceGraph();
   estimate = GraphEstimate();
-  EdgeFinder finder(context, group, options);
+  const bool isByNumber = options.Construction == GraphConstruction::SaddleVertexGraph;
+  const bool isWide = !isByNumber && NeedsWideLengths(options.Accuracy);
+  EdgeFinder finder(context, group, options, isWide);
   DGG_RETURN_IF_ERROR(finder.Run(piece, estimate, warnings, isUsable));
   if (!isUsable)
   {
     return Status::Success();
   }
   DGG_RETURN_IF_ERROR(finder.ExchangeEdges());
-  const bool isByNumber = options.Construction == GraphConstruction::SaddleVertexGraph;
-  GraphInfo info;
+  const auto n = static_cast<std::size_t>(piece.NumberOfPoints);
+  const PieceVertices vertices(finder, n);
+  DGG_RETURN_IF_ERROR(Assemble(context, finder, vertices, isWide, graph.Rows));
+  graph.GhostIds = Buffer<Offset>(vertices.Points.size() - n);
+  std::transform(vertices.Points.begin() + piece.NumberOfPoints, vertices.Points.end(),
+    graph.GhostIds.begin(), [&](Id point) { return finder.Region.GetPointId(point); });
+  graph.Owners = Buffer<Id>(vertices.Points.size());
+  std::transform(
+    vertices.Points.begin(), vertices.Points.end(), graph.Owners.begin(), [&](Id point) {
+      const int owner = finder.Region.GetOwner(point);
+      return owner == group.Here ? GhostVertices::Here : owner;
+    });
+  GraphInfo& info = graph.Rows.Info;
   info.Construction = options.Construction;
   info.Accuracy = isByNumber ? 0.0 : options.Accuracy;
   info.NumberOfNeighbors = isByNumber ? options.NumberOfNeighbors : 0;
-  std::vector<Signature> signatures;
-  DGG_RETURN_IF_ERROR(group.Share(ComputeSignature(piece), signatures));
-  info.Surface = SumSignatures(signatures);
-  const std::vector<Id> order = finder.Region.GetOrder();
-  GeodesicGraph united;
-  DGG_RETURN_IF_ERROR(Assemble(
-    context, finder.Edges, order, !isByNumber && NeedsWideLengths(options.Accuracy), united));
-  MakePiece(finder.Region, order, static_cast<std::size_t>(piece.NumberOfPoints), group.Here,
-    united, graph);
-  graph.Rows.Info = info;
   graph.Piece = ComputeSignature(piece);
+  std::vector<Signature> signatures;
+  DGG_RETURN_IF_ERROR(group.Share(graph.Piece, signatures));
+  info.Surface = SumSignatures(signatures);
   return Status::Success();
 }
 
