@@ -25,10 +25,8 @@ constexpr double SlackMargin = 4.0 * DegeneracySlack;
 constexpr double ShortestLength = 1e-25;
 constexpr double LongestPath = 1e37;
 
-/// Bytes of a point of a region: its id, position and list of holders, and its entry in the map of
-/// points.
-constexpr double BytesOfPoint =
-  sizeof(Offset) + 3 * sizeof(double) + sizeof(std::vector<int>) + 32 + sizeof(Offset) + 48;
+/// Bytes of a point of a region: its id, position and holders, and its entry in the map of points.
+constexpr double BytesOfPoint = sizeof(Offset) + 3 * sizeof(double) + sizeof(Id) + 56;
 
 /// Copy of a point that a process has sent.
 struct SentPoint
@@ -91,7 +89,7 @@ Status SurfaceRegion::Start(ProcessGroup& group, const SurfacePiece& piece, bool
   DGG_RETURN_IF_ERROR(this->FindHolders(group, isUsable));
   for (Id point = 0; point < this->GetNumberOfPoints(); ++point)
   {
-    this->AddToRim(point, group.Here);
+    this->AddToRim(point);
   }
   return group.Require(isUsable);
 }
@@ -101,7 +99,7 @@ bool SurfaceRegion::AddPiece(const SurfacePiece& piece)
 {
   for (Offset i = 0; i < piece.NumberOfPoints; ++i)
   {
-    if (this->AddPoint(piece.PointIds[i], piece.Points + 3 * i, {}) != i)
+    if (this->AddPoint(piece.PointIds[i], piece.Points + 3 * i, { this->Here }) != i)
     {
       return false;
     }
@@ -199,7 +197,8 @@ Status SurfaceRegion::FindHolders(ProcessGroup& group, bool& isUnique)
     for (std::size_t i = 0; i < list.size(); i += 2 + static_cast<std::size_t>(list[i + 1]))
     {
       const auto begin = list.begin() + static_cast<std::ptrdiff_t>(i) + 2;
-      this->Holders[this->Points.at(list[i])].assign(begin, begin + list[i + 1]);
+      this->Holders[this->Points.at(list[i])] =
+        this->GetSet(std::vector<int>(begin, begin + list[i + 1]));
     }
   }
   return Status::Success();
@@ -212,27 +211,34 @@ Id SurfaceRegion::AddVertex(Offset globalId, int owner)
 }
 
 /// Adds a point unless it is in the region already. Returns its index.
-Id SurfaceRegion::AddPoint(Offset globalId, const double* position, std::vector<int> holders)
+Id SurfaceRegion::AddPoint(Offset globalId, const double* position, const std::vector<int>& holders)
 {
   const auto added = this->Points.emplace(globalId, this->GetNumberOfPoints());
   if (added.second)
   {
     this->PointIds.push_back(globalId);
     this->Positions.insert(this->Positions.end(), position, position + 3);
-    this->Holders.push_back(std::move(holders));
+    this->Holders.push_back(this->GetSet(holders));
   }
   return added.first->second;
 }
 
-/// Completes a new point; if other processes have cells at the point, it is on the rim.
-void SurfaceRegion::AddToRim(Id point, int here)
+/// Returns the index of a set of processes in Sets.
+Id SurfaceRegion::GetSet(const std::vector<int>& holders)
 {
-  std::vector<int>& holders = this->Holders[point];
-  if (holders.empty())
+  const auto added = this->IndexOfSet.emplace(holders, static_cast<Id>(this->Sets.size()));
+  if (added.second)
   {
-    holders.push_back(here);
+    this->Sets.push_back(holders);
   }
-  if (holders.size() > 1 || holders.front() != here)
+  return added.first->second;
+}
+
+/// Adds a new point to the rim if other processes have cells at the point.
+void SurfaceRegion::AddToRim(Id point)
+{
+  const std::vector<int>& holders = this->GetHolders(point);
+  if (holders.size() > 1 || holders.front() != this->Here)
   {
     this->Rim.push_back(point);
   }
@@ -248,7 +254,7 @@ Status SurfaceRegion::Grow(ProcessGroup& group, int layers, bool isNeeded, doubl
     std::vector<std::vector<Offset>> requested(count);
     for (const Id point : this->Rim)
     {
-      for (const int process : this->Holders[point])
+      for (const int process : this->GetHolders(point))
       {
         if (isNeeded && process != group.Here)
         {
@@ -282,7 +288,7 @@ Status SurfaceRegion::Grow(ProcessGroup& group, int layers, bool isNeeded, doubl
     }
     for (const Message& message : messages)
     {
-      this->AddCells(message, group.Here);
+      this->AddCells(message);
     }
   }
   return Status::Success();
@@ -328,8 +334,9 @@ void SurfaceRegion::Answer(
           pointIds.push_back(this->PointIds[corner]);
           const double* const at = this->Positions.data() + 3 * static_cast<Offset>(corner);
           positions.insert(positions.end(), at, at + 3);
-          holders.push_back(static_cast<int>(this->Holders[corner].size()));
-          AppendTo(holders, this->Holders[corner]);
+          const std::vector<int>& ofCorner = this->GetHolders(corner);
+          holders.push_back(static_cast<int>(ofCorner.size()));
+          AppendTo(holders, ofCorner);
         }
       }
     }
@@ -343,7 +350,7 @@ void SurfaceRegion::Answer(
 }
 
 /// Adds the cells and points of an answer.
-void SurfaceRegion::AddCells(const Message& message, int here)
+void SurfaceRegion::AddCells(const Message& message)
 {
   MessageReader reader(message);
   const auto cellIds = reader.Take<Offset>();
@@ -361,7 +368,7 @@ void SurfaceRegion::AddCells(const Message& message, int here)
       this->AddPoint(pointIds[i], positions.data() + 3 * i, std::vector<int>(next + 1, end));
     if (point == before)
     {
-      this->AddToRim(point, here);
+      this->AddToRim(point);
     }
     next = end;
   }
@@ -424,13 +431,12 @@ Status SurfaceFacts::Share(ProcessGroup& group)
   return Status::Success();
 }
 
-SurfaceFacts SurfaceRegion::MakeMesh(RegionMesh& region) const
+void SurfaceRegion::MakeMesh(RegionMesh& region) const
 {
   region = RegionMesh();
-  SurfaceMesh& mesh = region.Mesh;
+  region.Points = this->GetOrder();
+  const std::vector<Id>& order = region.Points;
   std::vector<double>& positions = region.Positions;
-  std::vector<std::uint8_t>& isRim = region.IsRim;
-  const std::vector<Id> order = this->GetOrder();
   std::vector<Id> rank(order.size());
   positions.resize(3 * order.size());
   for (std::size_t i = 0; i < order.size(); ++i)
@@ -439,18 +445,16 @@ SurfaceFacts SurfaceRegion::MakeMesh(RegionMesh& region) const
     std::copy_n(this->Positions.begin() + 3 * static_cast<Offset>(order[i]), 3,
       positions.begin() + 3 * static_cast<Offset>(i));
   }
-  isRim.assign(this->Rim.empty() ? 0 : order.size(), 0);
+  region.IsRim.assign(this->Rim.empty() ? 0 : order.size(), 0);
   for (const Id point : this->Rim)
   {
-    isRim[rank[point]] = 1;
+    region.IsRim[rank[point]] = 1;
   }
   std::vector<std::size_t> cells(this->Cells.size());
   std::iota(cells.begin(), cells.end(), 0);
   std::sort(cells.begin(), cells.end(), [this](std::size_t a, std::size_t b) {
     return this->Cells[a].GlobalId < this->Cells[b].GlobalId;
   });
-  SurfaceFacts facts;
-  SurfaceDefects defects;
   PolygonTriangulator triangulator(positions.data());
   std::vector<Id> triangles;
   std::vector<Id> corners;
@@ -467,17 +471,25 @@ SurfaceFacts SurfaceRegion::MakeMesh(RegionMesh& region) const
     const bool isOwn = c < this->NumberOfOwnCells;
     if (isOwn)
     {
-      facts.NumberOfFaces += added;
-      defects.DroppedCells += added == 0 ? 1 : 0;
-      defects.Fans += triangulator.GetNumberOfFans() - fans;
+      region.DroppedCells += added == 0 ? 1 : 0;
+      region.Fans += triangulator.GetNumberOfFans() - fans;
     }
     region.CellIds.insert(
       region.CellIds.end(), static_cast<std::size_t>(added), isOwn ? cell.GlobalId : NoId);
   }
-  facts.IsRegular =
-    SurfaceMesh::FromPoints(positions.data(), static_cast<Offset>(order.size()), triangles.data(),
-      static_cast<Offset>(triangles.size() / 3), mesh, isRim.empty() ? nullptr : isRim.data())
-      .IsOk();
+  region.IsValid = SurfaceMesh::FromPoints(positions.data(), static_cast<Offset>(order.size()),
+    triangles.data(), static_cast<Offset>(triangles.size() / 3), region.Mesh,
+    region.IsRim.empty() ? nullptr : region.IsRim.data())
+                     .IsOk();
+}
+
+SurfaceFacts SurfaceRegion::MeasureFacts(const RegionMesh& region) const
+{
+  const SurfaceMesh& mesh = region.Mesh;
+  SurfaceFacts facts;
+  facts.IsRegular = region.IsValid;
+  facts.NumberOfFaces = std::count_if(
+    region.CellIds.begin(), region.CellIds.end(), [](Offset id) { return id != NoId; });
   for (Id h = 0; h < mesh.GetNumberOfHalfEdges() && facts.IsRegular; ++h)
   {
     if (mesh.IsDropped(SurfaceMesh::Face(h)))
@@ -494,9 +506,9 @@ SurfaceFacts SurfaceRegion::MakeMesh(RegionMesh& region) const
   if (facts.IsRegular)
   {
     facts.Defects =
-      CountDefects(mesh, [&](Id v) { return this->GetOwner(order[v]) == this->Here; });
-    facts.Defects.DroppedCells = defects.DroppedCells;
-    facts.Defects.Fans = defects.Fans;
+      CountDefects(mesh, [&](Id v) { return this->GetOwner(region.Points[v]) == this->Here; });
+    facts.Defects.DroppedCells = region.DroppedCells;
+    facts.Defects.Fans = region.Fans;
   }
   return facts;
 }

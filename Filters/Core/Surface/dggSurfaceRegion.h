@@ -13,6 +13,7 @@
 #include "dggSurfacePieces.h" // for the piece
 
 #include <cstdint>       // for flags
+#include <map>           // for sets of processes
 #include <unordered_map> // for ids
 #include <vector>        // for points and cells
 
@@ -36,10 +37,14 @@ struct DGG_CORE_EXPORT SurfaceFacts
 /// Mesh of a region; its vertices and faces are in the order of global ids.
 struct RegionMesh
 {
+  bool IsValid = true; ///< false if the mesh could not be made
   SurfaceMesh Mesh;
+  std::vector<Id> Points;          ///< of the region, per vertex
   std::vector<double> Positions;   ///< x y z per vertex
   std::vector<std::uint8_t> IsRim; ///< see SurfaceMesh::FromPoints()
   std::vector<Offset> CellIds;     ///< per face, the global id of a cell of the piece, or NoId
+  Offset DroppedCells = 0;         ///< of the piece; see SurfaceDefects
+  Offset Fans = 0;                 ///< of the piece
 };
 
 /// The piece of a surface that this process has, and cells of other processes around it. A point
@@ -57,9 +62,11 @@ public:
   /// this process uses besides the region.
   Status Grow(ProcessGroup& group, int layers, bool isNeeded, double inUse);
 
-  /// Makes the mesh of the region. Returns the facts of the region, with the number of faces of the
-  /// piece and the defects at points that belong to this process.
-  SurfaceFacts MakeMesh(RegionMesh& region) const;
+  /// Makes the mesh of the region.
+  void MakeMesh(RegionMesh& region) const;
+  /// Returns the facts of the mesh of the region, with the number of faces of the piece and the
+  /// defects at points that belong to this process.
+  SurfaceFacts MeasureFacts(const RegionMesh& region) const;
 
   /// Returns the size in bytes.
   double GetMemorySize() const;
@@ -70,7 +77,7 @@ public:
   Offset GetPointId(Id point) const { return this->PointIds[point]; }
   int GetOwner(Id point) const
   {
-    const std::vector<int>& holders = this->Holders[point];
+    const std::vector<int>& holders = this->GetHolders(point);
     return holders[static_cast<std::uint64_t>(this->PointIds[point]) % holders.size()];
   }
   ///@}
@@ -90,15 +97,22 @@ private:
 
   bool AddPiece(const SurfacePiece& piece);
   Status FindHolders(ProcessGroup& group, bool& isUnique);
-  Id AddPoint(Offset globalId, const double* position, std::vector<int> holders);
-  void AddToRim(Id point, int here);
+  Id AddPoint(Offset globalId, const double* position, const std::vector<int>& holders);
+  Id GetSet(const std::vector<int>& holders);
+  const std::vector<int>& GetHolders(Id point) const { return this->Sets[this->Holders[point]]; }
+  void AddToRim(Id point);
   void Answer(std::size_t process, const std::vector<Offset>& requested, Message& answer);
-  void AddCells(const Message& message, int here);
+  void AddCells(const Message& message);
 
   int Here = 0; // this process
   std::vector<Offset> PointIds;
   std::vector<double> Positions;
-  std::vector<std::vector<int>> Holders; // per point, the processes that have it, sorted
+  std::vector<Id> Holders; // per point, the set of processes that have it
+  ///@{
+  // Sets of processes, each sorted, and their indices.
+  std::vector<std::vector<int>> Sets;
+  std::map<std::vector<int>, Id> IndexOfSet;
+  ///@}
   std::vector<Id> Rim;                   // points some of whose cells are missing
   std::unordered_map<Offset, Id> Points; // by global id
   std::vector<Cell> Cells;

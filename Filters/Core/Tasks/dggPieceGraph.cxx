@@ -24,10 +24,10 @@ namespace dgg
 namespace
 {
 /// Layers of cells around a piece in the first round, and their growth from round to round as long
-/// as windows meet the rim. On a scan of 134,000 points in two strips, 1 % of the points need more
-/// layers than in the first round at an accuracy of 1 %, and none in the second. A layer costs much
-/// less than a round, which makes the mesh and its tables again.
-constexpr int FirstLayers = 16;
+/// as windows meet the rim. With 16 layers, the windows of some points of every measured scan meet
+/// the rim at accuracies of 10 % and 1 %, and with 64 layers few do. A layer costs much less than a
+/// round, which makes the mesh and its tables again.
+constexpr int FirstLayers = 64;
 constexpr int GrowthOfLayers = 4;
 /// Progress weight of finding edges.
 constexpr double FindingShare = 0.9;
@@ -84,20 +84,24 @@ public:
         this->Region.Grow(this->Group, layers - present, isNeeded, this->GetMemorySize()));
       present = layers;
       RegionMesh mesh;
-      SurfaceFacts facts;
       if (isFirst || isNeeded)
       {
-        facts = this->Region.MakeMesh(mesh);
-        region.IsRim.swap(mesh.IsRim);
+        this->Region.MakeMesh(mesh);
+        isUsable = mesh.IsValid;
       }
       if (isFirst)
       {
+        SurfaceFacts facts = this->Region.MeasureFacts(mesh);
         DGG_RETURN_IF_ERROR(facts.Share(this->Group));
+        isUsable = facts.IsRegular;
         region.NumberOfFaces = facts.NumberOfFaces;
         region.HasBranches = facts.Defects.NonManifoldEdges > 0;
         warnings = DescribeDefects(facts.Defects);
       }
-      isUsable = facts.IsRegular;
+      region.IsRim.swap(mesh.IsRim);
+      this->Order.swap(mesh.Points);
+      std::vector<double>().swap(mesh.Positions);
+      std::vector<Offset>().swap(mesh.CellIds);
       DGG_RETURN_IF_ERROR(this->Group.Require(isUsable));
       if (!isUsable)
       {
@@ -187,10 +191,9 @@ private:
   Status Prepare(const SurfaceMesh& mesh, GraphRegion& region, std::optional<RowFinder>& finder,
     GraphEstimate& estimate)
   {
-    this->Order = this->Region.GetOrder();
     std::vector<Id> rank(this->Order.size());
     region.PointIds.clear();
-    for (std::size_t v = 0; v < rank.size(); ++v)
+    for (std::size_t v = 0; v < this->Order.size(); ++v)
     {
       rank[this->Order[v]] = static_cast<Id>(v);
       region.PointIds.push_back(this->Region.GetPointId(this->Order[v]));

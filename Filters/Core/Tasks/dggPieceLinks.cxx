@@ -57,7 +57,8 @@ Status PieceLinks::MakeMesh(ProcessGroup& group)
 {
   this->ClosestPoints.reset();
   this->Builder.reset();
-  SurfaceFacts facts = this->Region.MakeMesh(this->Mesh);
+  this->Region.MakeMesh(this->Mesh);
+  SurfaceFacts facts = this->Region.MeasureFacts(this->Mesh);
   DGG_RETURN_IF_ERROR(facts.Share(group));
   const SurfaceMesh& mesh = this->Mesh.Mesh;
   const double* const positions = this->Mesh.Positions.data();
@@ -69,7 +70,7 @@ Status PieceLinks::MakeMesh(ProcessGroup& group)
     this->SurfaceBox.Add(box);
   }
   this->PointIds.clear();
-  for (const Id point : this->Region.GetOrder())
+  for (const Id point : this->Mesh.Points)
   {
     this->PointIds.push_back(this->Region.GetPointId(point));
   }

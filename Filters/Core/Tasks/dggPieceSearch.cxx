@@ -141,12 +141,11 @@ Status PieceSearch::MeasureAngles(ProcessGroup& group, const SurfacePiece& piece
   region.MakeMesh(mesh);
   const std::vector<VertexAngle> ofMesh = MeasureVertexAngles(mesh.Mesh);
   std::vector<VertexAngle> angles(static_cast<std::size_t>(this->Graph.NumberOfVertices));
-  const std::vector<Id> order = region.GetOrder();
-  for (std::size_t i = 0; i < order.size(); ++i)
+  for (std::size_t i = 0; i < mesh.Points.size(); ++i)
   {
-    if (order[i] < this->PointsHere)
+    if (mesh.Points[i] < this->PointsHere)
     {
-      angles[order[i]] = ofMesh[i];
+      angles[mesh.Points[i]] = ofMesh[i];
     }
   }
   auto sent = ListValues(this->Sent, [&](Id v) { return angles[v]; });
