@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggLabelCorrection.h"
 
-#include "dggPrefetch.h"
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -95,15 +93,11 @@ void LabelCorrection::Straighten(const Length* lengths, const std::vector<GraphS
     const TreeStep& ahead = steps[std::min(i + Lookahead, steps.size() - 1)];
     if (ahead.Tail != NoId)
     {
-      Prefetch(lengths + ahead.Edge);
-      Prefetch(this->Graph.Angles + ahead.Edge);
-      Prefetch(this->Graph.ArrivalAngles + ahead.Edge);
+      this->PrefetchStep(ahead);
       Prefetch(&result.Virtual[ahead.Tail]);
       Prefetch(&result.Virtual[ahead.Vertex]);
       Prefetch(&result.Corrected[ahead.Tail]);
       Prefetch(&result.Corrected[ahead.Vertex]);
-      Prefetch(&this->Angles[ahead.Tail]);
-      Prefetch(&this->Angles[ahead.Vertex]);
       Prefetch(&result.Distances[ahead.Vertex]);
     }
     const TreeStep& step = steps[i];

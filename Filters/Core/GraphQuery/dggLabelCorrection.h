@@ -6,6 +6,7 @@
 #define dggLabelCorrection_h
 
 #include "dggGraphFans.h"    // for the angles
+#include "dggPrefetch.h"     // for Prefetch
 #include "dggSearchLabels.h" // for GraphSeed, SearchResult, TreeStep
 #include "dggSurfaceMesh.h"  // for SurfaceMesh
 
@@ -57,6 +58,16 @@ public:
   /// `label` need not be a label of the search. `smallestOffset` is the minimum over all seeds.
   Estimate Extend(
     const TreeStep& step, double label, const Estimate& tail, double smallestOffset) const;
+
+  /// Loads the edge and the angles of a step into the cache.
+  void PrefetchStep(const TreeStep& step) const
+  {
+    WithLengths(this->Graph, [&](const auto* lengths) { Prefetch(lengths + step.Edge); });
+    Prefetch(this->Graph.Angles + step.Edge);
+    Prefetch(this->Graph.ArrivalAngles + step.Edge);
+    Prefetch(&this->Angles[step.Tail]);
+    Prefetch(&this->Angles[step.Vertex]);
+  }
 
   /// Returns the initial distance of the source of a seed.
   static double OffsetOf(const GraphSeed& seed);

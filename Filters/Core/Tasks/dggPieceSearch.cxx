@@ -3,7 +3,7 @@
 #include "dggPieceSearch.h"
 
 #include "dggBucketSearch.h"
-#include "dggGroups.h"
+#include "dggPrefetch.h"
 #include "dggProgressPart.h"
 #include "dggSurfaceRegion.h"
 
@@ -21,6 +21,9 @@ namespace
 constexpr double LabelShare = 0.7;
 /// Bytes per vertex of ids, labels, fans, arrivals and results.
 constexpr std::size_t BytesOfVertex = 160;
+
+/// Number of vertices by which data is prefetched.
+constexpr std::size_t Lookahead = 8;
 
 /// Contribution of a process to the size of the entire graph.
 struct GraphSize
@@ -372,16 +375,12 @@ std::vector<GraphSeed> PieceSearch::ReadLowered(const std::vector<Message>& mess
 struct PieceSearch::Tree
 {
   std::vector<std::uint8_t> IsFollowed; // arrivals are computed here, per vertex
-  Groups Children;                      // followed vertices, per vertex
-  std::vector<Id> Ready;                // followed vertices with a known tail
-  std::size_t NumberLeft = 0;           // followed vertices without an arrival
+  std::vector<Id> Left;                 // followed vertices without an arrival
+  /// Per vertex, the last round in which it was left, or Listed.
+  std::vector<int> LastRounds;
+  static constexpr int Listed = std::numeric_limits<int>::max();
+  int Round = 0;
   std::vector<std::vector<Id>> Pending; // per process, indices into Sent that it waits for
-
-  void AddChildren(Id v)
-  {
-    this->Ready.insert(this->Ready.end(), this->Children.Members.begin() + this->Children.Begins[v],
-      this->Children.Members.begin() + this->Children.Begins[v + 1]);
-  }
 };
 
 /// Computes the arrivals at the vertices of this process, and at the other points of the piece. The
@@ -398,16 +397,16 @@ Status PieceSearch::FollowTree(ProcessGroup& group, const std::vector<GraphSeed>
     return Status::Success();
   }
   std::vector<Message> messages;
-  const auto total = static_cast<double>(std::max<std::size_t>(1, tree.NumberLeft));
+  const auto total = static_cast<double>(std::max<std::size_t>(1, tree.Left.size()));
   for (bool isOver = false; !isOver;)
   {
     this->Descend(seeds, smallestOffset, tree, arrivals);
-    DGG_RETURN_IF_ERROR(ReportTo(progress, 1.0 - static_cast<double>(tree.NumberLeft) / total));
+    DGG_RETURN_IF_ERROR(ReportTo(progress, 1.0 - static_cast<double>(tree.Left.size()) / total));
     this->CollectArrivals(arrivals, tree, messages);
     DGG_RETURN_IF_ERROR(group.Exchange(messages, this->GetMemorySize(), &isOver));
-    this->ReadArrivals(messages, tree, arrivals);
+    this->ReadArrivals(messages, arrivals);
   }
-  bool isComplete = tree.NumberLeft == 0;
+  bool isComplete = tree.Left.empty();
   DGG_RETURN_IF_ERROR(group.Require(isComplete));
   return isComplete ? Status::Success()
                     : Status(Status::Code::DamagedGraph, "The pieces do not form one graph")
@@ -484,15 +483,12 @@ Status PieceSearch::PrepareTree(ProcessGroup& group, Tree& tree, bool& isUsable)
   {
     return Status::Success();
   }
-  tree.Children = MakeGroups(n, n, [&](Id v) {
-    return tree.IsFollowed[v] && !this->Origins[v].IsSeed() ? this->Origins[v].Tail : NoId;
-  });
+  tree.LastRounds.assign(static_cast<std::size_t>(n), 0);
   for (Id v = 0; v < n; ++v)
   {
-    tree.NumberLeft += tree.IsFollowed[v];
-    if (tree.IsFollowed[v] && this->Origins[v].IsSeed())
+    if (tree.IsFollowed[v])
     {
-      tree.Ready.push_back(v);
+      tree.Left.push_back(v);
     }
   }
   return Status::Success();
@@ -521,43 +517,84 @@ bool PieceSearch::SetTail(Id v, Id tail)
 
 /// Enters the arrivals in messages.
 void PieceSearch::ReadArrivals(
-  const std::vector<Message>& messages, Tree& tree, std::vector<Arrival>& arrivals) const
+  const std::vector<Message>& messages, std::vector<Arrival>& arrivals) const
 {
   for (std::size_t process = 0; process < messages.size(); ++process)
   {
     for (const auto& value : MessageReader(messages[process]).Take<SharedValue<Arrival>>())
     {
-      const Id v = this->Received[process][value.Index];
-      arrivals[v] = value.Content;
-      tree.AddChildren(v);
+      arrivals[this->Received[process][value.Index]] = value.Content;
     }
   }
 }
 
-/// Computes the arrivals at all vertices that can be reached from vertices with known tails.
+/// Computes all arrivals that follow from known ones.
 void PieceSearch::Descend(const std::vector<GraphSeed>& seeds, double smallestOffset, Tree& tree,
   std::vector<Arrival>& arrivals) const
 {
-  while (!tree.Ready.empty())
+  const std::vector<TreeStep> steps = this->FindSteps(tree, arrivals);
+  for (std::size_t i = 0; i < steps.size(); ++i)
   {
-    const Id v = tree.Ready.back();
-    tree.Ready.pop_back();
-    const LabelOrigin& origin = this->Origins[v];
-    if (origin.IsSeed())
+    const TreeStep& ahead = steps[std::min(i + Lookahead, steps.size() - 1)];
+    Prefetch(&arrivals[ahead.Vertex]);
+    if (ahead.Tail != NoId)
     {
-      const GraphSeed& seed = seeds[origin.Tail];
-      arrivals[v] = { LabelCorrection::EstimateOf(seed), seed.Source };
+      Prefetch(&arrivals[ahead.Tail]);
+      this->Correction->PrefetchStep(ahead);
+    }
+    const TreeStep& step = steps[i];
+    if (step.Tail == NoId)
+    {
+      const GraphSeed& seed = seeds[this->Origins[step.Vertex].Tail];
+      arrivals[step.Vertex] = { LabelCorrection::EstimateOf(seed), seed.Source };
     }
     else
     {
-      const Arrival& tail = arrivals[origin.Tail];
-      arrivals[v] = { this->Correction->Extend({ origin.Edge, v, origin.Tail }, this->Distances[v],
-                        tail.Estimate, smallestOffset),
+      const Arrival& tail = arrivals[step.Tail];
+      arrivals[step.Vertex] = { this->Correction->Extend(step, this->Distances[step.Vertex],
+                                  tail.Estimate, smallestOffset),
         tail.Source };
     }
-    tree.AddChildren(v);
-    --tree.NumberLeft;
   }
+}
+
+/// Returns the vertices whose arrivals follow from known ones, every vertex after its tail, and
+/// removes them from those that are left. From each vertex, climbs to a known arrival or a seed,
+/// then descends.
+std::vector<TreeStep> PieceSearch::FindSteps(Tree& tree, const std::vector<Arrival>& arrivals) const
+{
+  ++tree.Round;
+  std::vector<TreeStep> steps;
+  steps.reserve(tree.Left.size());
+  std::vector<Id> climbed;
+  for (const Id start : tree.Left)
+  {
+    Id v = start;
+    for (; tree.IsFollowed[v] && tree.LastRounds[v] < tree.Round; v = this->Origins[v].Tail)
+    {
+      tree.LastRounds[v] = tree.Round;
+      if (this->Origins[v].IsSeed())
+      {
+        steps.push_back({ -1, v, NoId });
+        tree.LastRounds[v] = Tree::Listed;
+        break;
+      }
+      climbed.push_back(v);
+    }
+    const bool isKnown =
+      tree.IsFollowed[v] ? tree.LastRounds[v] == Tree::Listed : arrivals[v].Source != NoId;
+    for (; isKnown && !climbed.empty(); climbed.pop_back())
+    {
+      v = climbed.back();
+      steps.push_back({ this->Origins[v].Edge, v, this->Origins[v].Tail });
+      tree.LastRounds[v] = Tree::Listed;
+    }
+    climbed.clear();
+  }
+  tree.Left.erase(std::remove_if(tree.Left.begin(), tree.Left.end(),
+                    [&](Id v) { return tree.LastRounds[v] == Tree::Listed; }),
+    tree.Left.end());
+  return steps;
 }
 
 /// Makes messages with the arrivals that other processes wait for.

@@ -110,8 +110,8 @@ private:
   Status PrepareTree(ProcessGroup& group, Tree& tree, bool& isUsable);
   bool HasTailOf(Id v, std::size_t process) const;
   bool SetTail(Id v, Id tail);
-  void ReadArrivals(
-    const std::vector<Message>& messages, Tree& tree, std::vector<Arrival>& arrivals) const;
+  void ReadArrivals(const std::vector<Message>& messages, std::vector<Arrival>& arrivals) const;
+  std::vector<TreeStep> FindSteps(Tree& tree, const std::vector<Arrival>& arrivals) const;
   void Descend(const std::vector<GraphSeed>& seeds, double smallestOffset, Tree& tree,
     std::vector<Arrival>& arrivals) const;
   void CollectArrivals(
