@@ -16,20 +16,19 @@ import sys
 
 from tables import column, listing
 
-LAYERS = (16, 64, 256, 1024)  # of cells around a piece after each round of a build
+LAYERS = (64, 256, 1024)  # of cells around a piece after each round of a build
 # Constants of the kernel, bytes.
 POINT, CELL = 32, 8  # registration of a point or cell
 SHARED = 32  # the processes of a point that two of them have
 GROWTH = 64  # per cell of a layer: the cell, its part of the points, and their requests
-EDGE, LABEL, ARRIVAL = 32, 16, 52
+EDGE, LABEL, TAIL, ARRIVAL = 32, 16, 16, 52
 LAYER_HEADERS, BUILD_HEADERS, PREPARE_HEADERS = 86, 300, 400  # per pair of processes
 ROUND_HEADERS = 20
 # Constants of the model, fitted to the runs of Filters/Parallel/Scale.md.
 CROSSING_EDGES = 0.12  # per ghost and edge per vertex
 DEPTH = 0.2  # added to the reach
-TAILS = 0.22  # tails of paths, relative to the root of both ghosts and points of the border
+TAILS = 0.25  # tails sent to their owners, per ghost
 RESENT = 0.24  # times that a label is sent, per border that a wave crosses
-ALONG_BORDER = 0.22  # rounds per point of a border along which paths run, on a grid
 LARGE = 1e5  # vertices of surfaces that are extrapolated
 
 
@@ -65,7 +64,7 @@ class Prediction:
         rounds = replay["label_rounds"] + replay["tree_rounds"]
         self.query_exchanges = 2 * (rounds + 2)
         labels = LABEL * known * max(1, 0.8 + RESENT * hops(run["division"], count))
-        arrivals = ARRIVAL * (shared + TAILS * math.sqrt(known * border))
+        arrivals = ARRIVAL * shared + TAIL * TAILS * known
         self.query_bytes = labels + arrivals + self.pairs * ROUND_HEADERS * (rounds + 2)
         # Sizes of messages are sent to all processes. Cells and labels are sent to few.
         self.build_messages = self.pairs * self.build_exchanges * (0.75 + 0.5 / count)
@@ -185,9 +184,9 @@ def table(rows):
     return listing(columns, rows)
 
 
-def square_pieces(surface, rounds_along):
-    """Returns the prediction for 1000 square pieces of 1000 x 1000 points. Labels cross all pieces,
-    and `rounds_along` is the number of rounds of paths along borders."""
+def square_pieces(surface):
+    """Returns the prediction for 1000 square pieces of 1000 x 1000 points. Paths cross all
+    pieces."""
     count, side = 1000, 1000
     run = {
         "processes": count,
@@ -202,27 +201,25 @@ def square_pieces(surface, rounds_along):
     replay = {
         "ghosts": sum(run["layer_cells"]) / 2 * (surface["reach"] + DEPTH) - shared,
         "label_rounds": 1.2 * across,
-        "tree_rounds": across + rounds_along,
+        "tree_rounds": 1.2 * across,
         "depth": across * side,
-        "layers": [LAYERS[2]] * count,
+        "layers": [LAYERS[1]] * count,
     }
     return Prediction(run, surface, replay)
 
 
 def large_table(surfaces):
     """Returns a table of predictions per process for 10^9 points on 1000 processes, with graphs as
-    on large measured surfaces. No path, or the longest one, is along the borders of pieces."""
+    on large measured surfaces."""
     lines = []
     for (mesh, accuracy), surface in sorted(surfaces.items(), reverse=True):
         if surface["vertices"] < LARGE:
             continue
-        made = [square_pieces(surface, along) for along in (0.0, ALONG_BORDER * 1e9**0.5)]
-        line = {name: getattr(made[0], name) for name in ("ghosts", "build_exchanges")}
-        line["build_bytes"] = made[0].build_bytes
+        made = square_pieces(surface)
+        names = ("ghosts", "build_exchanges", "build_bytes", "query_exchanges", "query_bytes")
+        line = {name: getattr(made, name) for name in names}
         line.update(mesh=mesh, accuracy=accuracy)
         line["graph"] = 16e6 * surface["edges"] / surface["vertices"]
-        line["query_exchanges"] = [one.query_exchanges for one in made]
-        line["query_bytes"] = [one.query_bytes for one in made]
         lines.append(line)
     columns = (
         column("graph like", "{}", "mesh"),
@@ -231,8 +228,8 @@ def large_table(surfaces):
         column("ghosts", lambda value: f"{value / 1e3:.0f}", "ghosts"),
         column("exchanges, build", "{:.0f}", "build_exchanges"),
         column("MB sent, build", lambda value: f"{value / 1e9:.0f}", "build_bytes"),
-        column("exchanges, query", pair(1, "{:.0f}"), "query_exchanges"),
-        column("MB sent, query", pair(1e9, "{:.0f}"), "query_bytes"),
+        column("exchanges, query", "{:.0f}", "query_exchanges"),
+        column("MB sent, query", lambda value: f"{value / 1e9:.0f}", "query_bytes"),
     )
     return listing(columns, lines)
 
