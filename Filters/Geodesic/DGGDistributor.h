@@ -26,6 +26,9 @@ public:
   /// See dgg::ProcessGroup::Transfer.
   virtual void Transfer(vtkMultiProcessController* controller, std::vector<dgg::Message>& sent,
     std::vector<dgg::Message>& received) const = 0;
+  /// See dgg::ProcessGroup::ShareMemory.
+  virtual std::shared_ptr<const void> ShareMemory(
+    vtkMultiProcessController* controller, std::vector<dgg::SharedBlock>& blocks) const = 0;
 
   static void Register(std::unique_ptr<const DGGDistributor> distributor);
   /// Returns the distributor; null if none is registered.

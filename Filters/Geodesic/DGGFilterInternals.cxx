@@ -13,6 +13,7 @@
 
 #include "dggDistanceOutput.h"
 #include "dggFreeMemory.h"
+#include "dggMatrixRows.h"
 #include "dggProcessGroup.h"
 #include "dggPropertyChecks.h"
 #include "dggStatus.h"
@@ -236,11 +237,23 @@ dgg::Status DGGFilterInternals::Follow(
     this->Mesh->Clear(); // the report must not describe another surface
     return dgg::Status::Success();
   }
-  const auto compute = [this](vtkInformationVector** inputs, vtkInformationVector* outputs) {
-    return this->Try([&] { return this->Compute(inputs, outputs); });
+  dgg::ProcessGroup group;
+  const bool isGroup = processes.FindGroup(true, group);
+  group.MemoryLimit = dgg::MakeBudget(this->Filter->MemoryLimit).GetBytes();
+  const auto compute = [&](vtkInformationVector** inputs, vtkInformationVector* outputs) {
+    return this->Try([&] {
+      if (!inputs)
+      {
+        DGGContext context = this->MakeContext(nullptr);
+        context.Group = &group;
+        return isGroup ? dgg::HelpFirst(context) : dgg::Status::Success();
+      }
+      DGG_RETURN_IF_ERROR(this->Compute(inputs, outputs, isGroup ? &group : nullptr));
+      return isGroup ? dgg::DismissHelpers(group) : dgg::Status::Success();
+    });
   };
   const dgg::Status status =
-    this->Parts->Run(processes, pieces > 1 ? this->Filter->GatherLimit : VTK_ID_MAX,
+    this->Parts->Run(processes, group, pieces > 1 ? this->Filter->GatherLimit : VTK_ID_MAX,
       this->Filter->MemoryLimit, inputVector, ports, outputVector, this->PassesSurface(), compute);
   if (status.IsOk() && this->Parts->GetNumberOfOthers() > 0)
   {
@@ -299,7 +312,7 @@ dgg::Status DGGFilterInternals::CheckAllProperties() const
 
 //------------------------------------------------------------------------------
 dgg::Status DGGFilterInternals::Compute(
-  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector, dgg::ProcessGroup* group)
 {
   this->OutputWarnings.clear();
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
@@ -327,7 +340,8 @@ dgg::Status DGGFilterInternals::Compute(
   {
     return dgg::Status::Abort();
   }
-  const DGGContext context = this->MakeContext(input);
+  DGGContext context = this->MakeContext(input);
+  context.Group = group;
   this->Parts->AddGraph(context);
   DGG_RETURN_IF_ERROR(this->Execute(context, inputVector, outputVector));
   this->Warn(this->OutputWarnings);

@@ -153,7 +153,8 @@ private:
   dgg::Status Try(const std::function<dgg::Status()>& step);
   dgg::Status Follow(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector);
-  dgg::Status Compute(vtkInformationVector** inputVector, vtkInformationVector* outputVector);
+  dgg::Status Compute(vtkInformationVector** inputVector, vtkInformationVector* outputVector,
+    dgg::ProcessGroup* group = nullptr);
   dgg::Status ComputePiece(const DGGProcesses& processes, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector, bool& isDone);
   bool Advance(double fraction);

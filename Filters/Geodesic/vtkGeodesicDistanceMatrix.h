@@ -16,7 +16,7 @@
  * <b>Guarantee and cost</b>. exact distance <= result <= (1 + accuracy) * exact distance, up to
  * rounding (1e-6), if the rule of the graph has a guarantee. There is one search per point of the
  * smaller set, on all threads of vtkSMPTools, with about 120 bytes per point of the mesh and
- * thread.
+ * thread. With the module DGG::FiltersParallel, all processes of Controller search.
  *
  * <b>Errors</b>. All errors of vtkGeodesicAlgorithm; no rows; an id out of range; a point that is
  * not finite or beyond ProjectionTolerance; columns with CompressedRows; a graph, matrix or

@@ -1,11 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Memory of graphs that several processes build together. The processes are threads.
+/// Memory of graphs and rows that several processes find together. The processes are threads.
 #include "../Benchmark/MemoryProbe.h"
 #include "GraphChecks.h"
+#include "TaskTestTools.h"
 #include "TestMeshes.h"
 
+#include "dggMatrixRows.h"
 #include "dggPieceGraph.h"
 #include "dggPreparedSurface.h"
 #include "dggTaskContext.h"
@@ -126,33 +128,33 @@ struct Piece
   std::vector<dgg::Offset> Offsets;
 };
 
-/// Processes that build the graph of a mesh. The last one may have little memory.
+struct Free
+{
+  void operator()(void* block) const { std::free(block); }
+};
+
+/// Processes that compute together. One of them may have little memory.
 class Processes
 {
 public:
-  Processes(const TestMesh& mesh, double accuracy)
-    : Statuses(Count)
-    , Estimates(Count)
-    , Sent(Count)
-  {
-    this->Options.Accuracy = accuracy;
-    for (int here = 0; here < Count; ++here)
-    {
-      this->Pieces.emplace_back(mesh, here);
-    }
-  }
+  using Step = std::function<dgg::Status(dgg::ProcessGroup&)>;
 
-  /// Builds the graph. On the last process the allocation with this number fails; 0: none fails.
-  void Build(std::size_t failing, double limit = dgg::Infinity)
+  /// Runs a step on all processes. On process `poor`, the allocation with this number fails; 0:
+  /// none fails.
+  void Run(int poor, std::size_t failing, double limit, const Step& step)
   {
     std::vector<std::thread> threads;
     for (int here = 0; here < Count; ++here)
     {
-      const bool isLast = here == Count - 1;
-      threads.emplace_back(
-        [this, here, failing = isLast ? failing : 0, limit = isLast ? limit : dgg::Infinity] {
-          this->Statuses[here] = this->BuildPiece(here, failing, limit);
-        });
+      threads.emplace_back([&, here] {
+        const bool isPoor = here == poor;
+        const std::size_t allocations =
+          this->RunHere(here, isPoor ? failing : 0, isPoor ? limit : dgg::Infinity, step);
+        if (isPoor)
+        {
+          this->NumberOfAllocations = allocations;
+        }
+      });
     }
     for (std::thread& thread : threads)
     {
@@ -170,12 +172,28 @@ public:
     }
   }
 
-  std::vector<dgg::Status> Statuses;
-  std::vector<dgg::GraphEstimate> Estimates;
-  std::size_t NumberOfAllocations = 0; // of the last process
+  /// Expects that all processes have an error if one of them lacks memory for any allocation.
+  void ExpectErrors(int poor, const Step& step)
+  {
+    this->Run(poor, 0, dgg::Infinity, step);
+    const std::size_t allocations = this->NumberOfAllocations;
+    for (const dgg::Status& status : this->Statuses)
+    {
+      ASSERT_TRUE(Ok(status));
+    }
+    for (std::size_t failing = 1; failing < allocations && !testing::Test::HasFailure();
+         failing += 1 + allocations / 500)
+    {
+      this->Run(poor, failing, dgg::Infinity, step);
+      this->ExpectError("no memory", "allocation " + std::to_string(failing));
+    }
+  }
+
+  std::vector<dgg::Status> Statuses = std::vector<dgg::Status>(Count);
 
 private:
-  dgg::Status BuildPiece(int here, std::size_t failing, double limit)
+  /// Returns the number of allocations.
+  std::size_t RunHere(int here, std::size_t failing, double limit, const Step& step)
   {
     dgg::ProcessGroup group;
     group.Here = here;
@@ -201,56 +219,118 @@ private:
       this->Meeting.Wait();
       return all;
     };
+    group.ShareMemory = [&](std::vector<dgg::SharedBlock>& blocks) {
+      for (std::size_t i = 0; i < blocks.size() && here == 0; ++i)
+      {
+        this->Copies[i].reset(std::malloc(1 + blocks[i].Size));
+        std::copy_n(static_cast<const char*>(blocks[i].Data), blocks[i].Size,
+          static_cast<char*>(this->Copies[i].get()));
+      }
+      this->Meeting.Wait();
+      for (std::size_t i = 0; i < blocks.size() && here > 0; ++i)
+      {
+        blocks[i].Data = this->Copies[i].get();
+      }
+      return this->Owner;
+    };
     constexpr std::size_t all = std::numeric_limits<std::size_t>::max();
     AllocationsLeft = failing > 0 ? failing : all;
     dgg::Status status;
     try
     {
-      static const dgg::PreparedSurface none;
-      const dgg::TaskContext context{ none, {}, 1, nullptr, nullptr, nullptr };
-      dgg::PieceGraph graph;
-      std::vector<std::string> warnings;
-      bool isUsable = false;
-      status = dgg::BuildPieceGraph(context, group, this->Pieces[here].Get(), this->Options, graph,
-        this->Estimates[here], warnings, isUsable);
-      EXPECT_TRUE(isUsable || !status.IsOk());
+      status = step(group);
     }
     catch (const std::bad_alloc&)
     {
       status = dgg::Status(dgg::Status::Code::OutOfMemory, "no memory");
     }
-    if (here == Count - 1)
-    {
-      this->NumberOfAllocations = all - AllocationsLeft;
-    }
+    const std::size_t allocations = all - AllocationsLeft;
     AllocationsLeft = 0;
-    return group.Agree(status);
+    this->Statuses[here] = group.Agree(status);
+    return allocations;
+  }
+
+  std::size_t NumberOfAllocations = 0; // of the poor process
+  std::vector<std::vector<dgg::Message>*> Sent = std::vector<std::vector<dgg::Message>*>(Count);
+  std::array<std::unique_ptr<void, Free>, 16> Copies; // of shared blocks
+  const std::shared_ptr<const void> Owner = std::make_shared<int>();
+  MeetingPoint Meeting;
+};
+
+/// Builds of the graph of a mesh in pieces, one for each process.
+struct PieceBuild
+{
+  PieceBuild(const TestMesh& mesh, double accuracy)
+  {
+    this->Options.Accuracy = accuracy;
+    for (int here = 0; here < Count; ++here)
+    {
+      this->Pieces.emplace_back(mesh, here);
+    }
+  }
+  dgg::Status operator()(dgg::ProcessGroup& group)
+  {
+    static const dgg::PreparedSurface none;
+    const dgg::TaskContext context{ none, {}, 1, nullptr, nullptr, nullptr };
+    dgg::PieceGraph graph;
+    std::vector<std::string> warnings;
+    bool isUsable = false;
+    const dgg::Status status = dgg::BuildPieceGraph(context, group, this->Pieces[group.Here].Get(),
+      this->Options, graph, this->Estimates[group.Here], warnings, isUsable);
+    EXPECT_TRUE(isUsable || !status.IsOk());
+    return status;
   }
 
   dgg::GraphOptions Options;
   std::vector<Piece> Pieces;
-  std::vector<std::vector<dgg::Message>*> Sent;
-  MeetingPoint Meeting;
+  std::vector<dgg::GraphEstimate> Estimates = std::vector<dgg::GraphEstimate>(Count);
 };
 }
 
 /// Each allocation may fail, in a step of one process or between the messages to other processes.
 TEST(PieceGraphMemory, OneProcessRunsOutOfMemory)
 {
-  Processes processes(Terrain(12, 0.4, 3), 0.05);
-  processes.Build(0);
-  const std::size_t allocations = processes.NumberOfAllocations;
-  for (const dgg::Status& status : processes.Statuses)
+  PieceBuild build(Terrain(12, 0.4, 3), 0.05);
+  Processes().ExpectErrors(Count - 1, std::ref(build));
+}
+
+/// The same is true while processes find rows, with and without targets.
+TEST(MatrixRowsMemory, OneProcessRunsOutOfMemory)
+{
+  const GraphWorld world(Terrain(8, 0.4, 3), 0.05);
+  for (const bool hasTargets : { false, true })
   {
-    ASSERT_TRUE(Ok(status));
-  }
-  for (std::size_t failing = 1; failing < allocations; failing += 1 + allocations / 500)
-  {
-    processes.Build(failing);
-    processes.ExpectError("no memory", "allocation " + std::to_string(failing));
-    if (testing::Test::HasFailure())
+    dgg::RowLinks links;
+    for (Id v = 0; v < world.Graph.GetNumberOfVertices(); ++v)
     {
-      break;
+      links.Seeds.push_back({ v, 0.0, 0.0, v, -1.0 });
+      links.Targets.resize(hasTargets ? links.Seeds.size() : 0, { v, v, 0.0 });
+    }
+    dgg::RowOptions options;
+    options.NumberOfSources = links.Seeds.size();
+    options.SearchRadius = 1.5; // local: GroupSources() would use std::stable_sort with less memory
+    options.HasTargets = hasTargets;
+    const dgg::GraphSearch search(world.Graph.View(), &world.Surface->GetMesh());
+    const auto find = [&](dgg::ProcessGroup* group, std::vector<std::size_t>& sizes) {
+      dgg::TaskContext context{ *world.Surface, {}, 1, nullptr, nullptr, nullptr };
+      context.Group = group;
+      if (group && group->Here > 0)
+      {
+        return dgg::HelpFirst(context);
+      }
+      return dgg::FindRows(context, search, links, options, nullptr,
+        [&](std::size_t source, const dgg::DistanceRow& row) { sizes[source] = row.size(); });
+    };
+    std::vector<std::size_t> expected(options.NumberOfSources);
+    ASSERT_TRUE(Ok(find(nullptr, expected)));
+    for (const int poor : { 0, Count - 1 })
+    {
+      std::vector<std::size_t> sizes(options.NumberOfSources);
+      Processes().ExpectErrors(poor, [&](dgg::ProcessGroup& group) {
+        DGG_RETURN_IF_ERROR(find(&group, sizes));
+        return group.Here > 0 ? dgg::Status::Success() : dgg::DismissHelpers(group);
+      });
+      EXPECT_EQ(sizes, expected);
     }
   }
 }
@@ -258,19 +338,20 @@ TEST(PieceGraphMemory, OneProcessRunsOutOfMemory)
 /// The limit covers the region of each round of growing, which all windows leave here.
 TEST(PieceGraphMemory, LimitOfOneProcess)
 {
-  Processes processes(Plane(40, 40), 0.01);
+  Processes processes;
+  PieceBuild build(Plane(40, 40), 0.01);
   const MemoryProbe probe;
-  processes.Build(0);
+  processes.Run(0, 0, dgg::Infinity, std::ref(build));
   double predicted = 0.0;
-  for (const dgg::GraphEstimate& estimate : processes.Estimates)
+  for (const dgg::GraphEstimate& estimate : build.Estimates)
   {
     predicted += estimate.Peak;
   }
   EXPECT_LE(static_cast<double>(probe.GetHeapPeak()), predicted);
-  const double needed = processes.Estimates.back().Peak;
+  const double needed = build.Estimates.back().Peak;
   for (const double limit : { 0.95 * needed, 0.05 * needed }) // for edges, for messages
   {
-    processes.Build(0, limit);
+    processes.Run(Count - 1, 0, limit, std::ref(build));
     processes.ExpectError("more than the limit", std::to_string(limit));
   }
 }

@@ -5,6 +5,7 @@
 #include "FilterTestTools.h"
 
 #include "vtkDGGDistance.h"
+#include "vtkGeodesicDistanceMatrix.h"
 #include "vtkPointCloudDGG.h"
 
 #include "vtkMultiProcessController.h"
@@ -32,6 +33,7 @@ TEST(CloudInPieces, IsGathered)
     }
   }
   std::vector<double> found[2];
+  std::vector<double> rows[2];
   for (const bool isAlone : { true, false })
   {
     vtkNew<vtkPointCloudDGG> graph;
@@ -53,6 +55,18 @@ TEST(CloudInPieces, IsGathered)
     EXPECT_EQ(distance->GetOutput()->GetNumberOfVerts(), 1);
     EXPECT_EQ(distance->GetOutput()->GetCell(0)->GetNumberOfPoints(),
       distance->GetOutput()->GetNumberOfPoints());
+    vtkNew<vtkGeodesicDistanceMatrix> matrix;
+    matrix->SetInputConnection(graph->GetOutputPort());
+    matrix->SetController(distance->GetController());
+    matrix->SetRowIds({ 3, 40, 900, 901, 1000 });
+    matrix->UpdatePiece(isAlone ? 0 : here, isAlone ? 1 : count, 0);
+    vtkDoubleArray* values = matrix->GetMatrix();
+    rows[isAlone ? 0 : 1] = { values->Begin(), values->End() };
+    ASSERT_EQ(rows[isAlone ? 0 : 1].size(), isAlone || here == 0 ? 25u : 0u);
+  }
+  if (here == 0)
+  {
+    EXPECT_EQ(rows[1], rows[0]);
   }
   ASSERT_EQ(found[1].size(), ids.size());
   for (std::size_t k = 0; k < ids.size(); ++k)

@@ -13,35 +13,24 @@ namespace dgg
 {
 namespace
 {
-struct Entry
-{
-  Id Column;
-  double Distance;
-};
-
-using Row = std::vector<Entry>;
-
 /// Bytes per entry while rows are collected and compressed.
-constexpr std::size_t BytesPerEntry = sizeof(Entry) + sizeof(Id) + sizeof(double);
+constexpr std::size_t BytesPerEntry = sizeof(RowEntry) + sizeof(Id) + sizeof(double);
 
-void FillRow(const double* distances, const std::vector<Id>& reached,
-  const DistanceRowsOptions& options, Row& row)
+/// Replaces vertices by the points that are merged into them.
+void ReplaceVertices(const std::vector<Id>& nextPoints, DistanceRow& row)
 {
-  row.reserve(reached.size());
-  for (const Id vertex : reached)
+  const std::size_t size = row.size();
+  for (std::size_t k = 0; k < size; ++k)
   {
-    const bool isNear = distances[vertex] <= options.MaximumDistance;
-    for (Id p = isNear ? vertex : NoId; p != NoId;
-         p = options.NextPoints.empty() ? NoId : options.NextPoints[p])
+    for (Id p = nextPoints[row[k].Column]; p != NoId; p = nextPoints[p])
     {
-      row.push_back({ p, distances[vertex] });
+      row.push_back({ p, row[k].Distance });
     }
   }
-  std::sort(
-    row.begin(), row.end(), [](const Entry& a, const Entry& b) { return a.Column < b.Column; });
+  SortRow(row);
 }
 
-void Compress(std::vector<Row>& found, std::size_t numberOfEntries, DistanceRows& rows)
+void Compress(std::vector<DistanceRow>& found, std::size_t numberOfEntries, DistanceRows& rows)
 {
   rows.Offsets = Buffer<Offset>(found.size() + 1);
   rows.Columns = Buffer<Id>(numberOfEntries);
@@ -50,36 +39,42 @@ void Compress(std::vector<Row>& found, std::size_t numberOfEntries, DistanceRows
   rows.Offsets[0] = 0;
   for (std::size_t i = 0; i < found.size(); ++i)
   {
-    for (const Entry& entry : found[i])
+    for (const RowEntry& entry : found[i])
     {
       rows.Columns[end] = entry.Column;
       rows.Distances[end] = entry.Distance;
       ++end;
     }
     rows.Offsets[i + 1] = static_cast<Offset>(end);
-    Row().swap(found[i]);
+    DistanceRow().swap(found[i]);
   }
 }
 }
 
-Status FindDistanceRows(const GraphSearch& search,
-  const std::vector<std::vector<GraphSeed>>& sources, const DistanceRowsOptions& options,
-  const ParallelFor& parallel, const ProgressCallback& progress, DistanceRows& rows)
+void SortRow(DistanceRow& row)
 {
-  ManyOptions many;
-  many.MaximumDistance = options.SearchRadius;
-  many.Correct = options.Correct;
-  std::vector<Row> found(sources.size());
+  std::sort(row.begin(), row.end(),
+    [](const RowEntry& a, const RowEntry& b) { return a.Column < b.Column; });
+}
+
+Status CompressRows(std::size_t numberOfSources,
+  const std::function<Status(const ProgressCallback&, const RowConsumer&)>& search,
+  const DistanceRowsOptions& options, const ProgressCallback& progress, DistanceRows& rows)
+{
+  std::vector<DistanceRow> found(numberOfSources);
   std::atomic<std::size_t> count{ 0 };
   const auto bytes = [&] { return static_cast<double>(count) * BytesPerEntry; };
   const auto shouldContinue = [&](double done) {
     return bytes() <= options.MemoryLimit && ShouldContinue(progress, done);
   };
-  const Status status = search.Many(sources, many, parallel, shouldContinue,
-    [&](std::size_t source, const double* distances, const std::vector<Id>& reached) {
-      FillRow(distances, reached, options, found[source]);
-      count += found[source].size();
-    });
+  const Status status = search(shouldContinue, [&](std::size_t source, DistanceRow& row) {
+    if (!options.NextPoints.empty())
+    {
+      ReplaceVertices(options.NextPoints, row);
+    }
+    count += row.size();
+    found[source].swap(row);
+  });
   DGG_RETURN_IF_ERROR(CheckMemory("The matrix so far", bytes(), options.MemoryLimit,
     "Use fewer rows at a time or a smaller {MaximumDistance}"));
   DGG_RETURN_IF_ERROR(status);

@@ -5,11 +5,14 @@
 #ifndef dggDistanceRows_h
 #define dggDistanceRows_h
 
-#include "dggBuffer.h"      // for the arrays
-#include "dggCoreExport.h"  // for DGG_CORE_EXPORT
-#include "dggGraphSearch.h" // for GraphSearch
+#include "dggBuffer.h"     // for the arrays
+#include "dggCoreExport.h" // for DGG_CORE_EXPORT
+#include "dggStatus.h"     // for Status
+#include "dggTypes.h"      // for ids
 
-#include <vector> // for the sources
+#include <cstddef>    // for std::size_t
+#include <functional> // for RowConsumer
+#include <vector>     // for rows
 
 namespace dgg
 {
@@ -23,12 +26,24 @@ struct DistanceRows
   Buffer<double> Distances;
 };
 
+struct RowEntry
+{
+  Id Column;
+  double Distance;
+};
+
+/// Entries of a row, with ascending columns.
+using DistanceRow = std::vector<RowEntry>;
+/// Sorts entries by column.
+void SortRow(DistanceRow& row);
+
+/// Receives the row of a source, which may be moved. Called in any order, by several threads
+/// simultaneously.
+using RowConsumer = std::function<void(std::size_t source, DistanceRow& row)>;
+
 struct DistanceRowsOptions
 {
-  double MaximumDistance = Infinity; ///< largest distance that is stored
-  double SearchRadius = Infinity;    ///< at least MaximumDistance; limits the search
-  bool Correct = false;              ///< see ManyOptions
-  double MemoryLimit = Infinity;     ///< maximum size of the rows in bytes
+  double MemoryLimit = Infinity; ///< maximum size of the rows in bytes
   /// Per point, the next point that is merged into the same vertex; NoId after the last point. The
   /// first point of a vertex has the id of the vertex. Empty if no points are merged.
   std::vector<Id> NextPoints;
@@ -37,11 +52,11 @@ struct DistanceRowsOptions
 /// Returns the value of DistanceRowsOptions::NextPoints for a surface.
 DGG_CORE_EXPORT std::vector<Id> FindNextPoints(const PreparedSurface& surface);
 
-/// Computes one row per source. The cost is proportional to the number of entries if most of the
-/// surface is outside the radius. The rows do not depend on the number of threads.
-DGG_CORE_EXPORT Status FindDistanceRows(const GraphSearch& search,
-  const std::vector<std::vector<GraphSeed>>& sources, const DistanceRowsOptions& options,
-  const ParallelFor& parallel, const ProgressCallback& progress, DistanceRows& rows);
+/// Compresses the rows of `numberOfSources` sources. `search` passes all rows to a consumer; their
+/// columns are vertices.
+DGG_CORE_EXPORT Status CompressRows(std::size_t numberOfSources,
+  const std::function<Status(const ProgressCallback&, const RowConsumer&)>& search,
+  const DistanceRowsOptions& options, const ProgressCallback& progress, DistanceRows& rows);
 }
 
 #endif

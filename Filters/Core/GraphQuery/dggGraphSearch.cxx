@@ -249,6 +249,17 @@ public:
       this->Correction = std::make_unique<LabelCorrection>(this->Graph, *this->Mesh);
     }
   }
+  Implementation(const GraphView& graph, std::vector<VertexAngle> angles, double meanEdgeLength)
+    : Implementation(graph, nullptr)
+  {
+    if (!angles.empty())
+    {
+      const double deviation = LargestDeviation(graph);
+      this->Fans = std::make_unique<GraphFans>(this->Graph, angles, deviation);
+      this->Correction = std::make_unique<LabelCorrection>(
+        this->Graph, std::move(angles), deviation, meanEdgeLength);
+    }
+  }
 
   GraphView Graph;
   const SurfaceMesh* Mesh; ///< null where there are no angles
@@ -264,11 +275,14 @@ public:
   mutable std::mutex MarksMutex;
   mutable std::weak_ptr<const Landmarks> Marks; ///< landmarks in use by any copy
 
-  /// Returns the fans, made at the first call; null where there are no angles.
+  /// Returns the fans, with a mesh made at the first call; null where there are no angles.
   const GraphFans* GetFans() const
   {
     std::call_once(this->FansOnce, [this] {
-      this->Fans = this->Mesh ? std::make_unique<GraphFans>(this->Graph, *this->Mesh) : nullptr;
+      if (this->Mesh)
+      {
+        this->Fans = std::make_unique<GraphFans>(this->Graph, *this->Mesh);
+      }
     });
     return this->Fans.get();
   }
@@ -349,7 +363,7 @@ public:
     const std::vector<std::size_t>& group, const ManyOptions& options,
     const std::function<bool()>& shouldContinue, const FieldConsumer& consume) const
   {
-    if (group.size() >= SmallestGroup && this->Mesh && !options.Correct)
+    if (group.size() >= SmallestGroup && this->GetFans() && !options.Correct)
     {
       const auto workspace = this->ManyWorkspaces.Borrow(this->Graph, this->BucketWidth);
       ManySources::Sources members;
@@ -453,6 +467,12 @@ GraphSearch::GraphSearch(const GraphView& graph, const SurfaceMesh* mesh)
 {
 }
 
+GraphSearch::GraphSearch(
+  const GraphView& graph, std::vector<VertexAngle> angles, double meanEdgeLength)
+  : Internals(std::make_shared<const Implementation>(graph, std::move(angles), meanEdgeLength))
+{
+}
+
 const GraphView& GraphSearch::GetGraph() const
 {
   return this->Internals->Graph;
@@ -535,6 +555,14 @@ Status GraphSearch::Many(const std::vector<std::vector<GraphSeed>>& sources,
   const ManyOptions& options, const ParallelFor& parallel, const ProgressCallback& progress,
   const FieldConsumer& consume, std::size_t* numberOfLabels) const
 {
+  ManyPlan plan;
+  DGG_RETURN_IF_ERROR(this->PlanMany(sources, options, plan));
+  return this->Many(sources, options, plan, parallel, progress, consume, numberOfLabels);
+}
+
+Status GraphSearch::PlanMany(const std::vector<std::vector<GraphSeed>>& sources,
+  const ManyOptions& options, ManyPlan& plan) const
+{
   const Implementation& internals = *this->Internals;
   const auto n = static_cast<std::size_t>(internals.Graph.NumberOfVertices);
   DGG_RETURN_IF_ERROR(CheckRadius(options.MaximumDistance));
@@ -545,12 +573,21 @@ Status GraphSearch::Many(const std::vector<std::vector<GraphSeed>>& sources,
                           .Of(JoinText("Set ", i, " of sources")));
     vertices.push_back(NearestOf(sources[i]).Vertex);
   }
-  const std::size_t reach = internals.FindReach(sources, options);
+  plan.Reach = internals.FindReach(sources, options);
   const bool areLocal =
-    sources.size() < SmallestGroup || static_cast<double>(reach) < LargestLocalPart * n;
-  const auto groups = internals.GroupByPlace(vertices, areLocal);
+    sources.size() < SmallestGroup || static_cast<double>(plan.Reach) < LargestLocalPart * n;
+  plan.Groups = internals.GroupByPlace(vertices, areLocal);
+  return Status::Success();
+}
+
+Status GraphSearch::Many(const std::vector<std::vector<GraphSeed>>& sources,
+  const ManyOptions& options, const ManyPlan& plan, const ParallelFor& parallel,
+  const ProgressCallback& progress, const FieldConsumer& consume, std::size_t* numberOfLabels) const
+{
+  const Implementation& internals = *this->Internals;
+  const auto& groups = plan.Groups;
   const auto numberOfGroups = static_cast<Offset>(groups.size());
-  const auto verticesPerGroup = static_cast<Offset>(std::max<std::size_t>(1, reach));
+  const auto verticesPerGroup = static_cast<Offset>(std::max<std::size_t>(1, plan.Reach));
   const Offset step = std::max(
     FewestGroups, std::min(numberOfGroups / FewestReports, VerticesPerReport / verticesPerGroup));
   const Offset grain = std::max<Offset>(

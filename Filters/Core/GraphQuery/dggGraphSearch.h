@@ -20,6 +20,7 @@
 namespace dgg
 {
 class Landmarks;
+struct VertexAngle;
 
 /// Start of a search: a vertex and its initial distance. A surface point has one seed per link
 /// (GraphBuilder::Link()).
@@ -105,6 +106,13 @@ struct ManyOptions
   bool Correct = false;
 };
 
+/// Tasks of a search from many sources.
+struct ManyPlan
+{
+  std::vector<std::vector<std::size_t>> Groups; ///< indices of sources that are searched together
+  std::size_t Reach = 0;                        ///< estimated number of vertices per search
+};
+
 /// Receives the distances of all vertices from source `source` (Infinity if unreached), and the
 /// reached vertices, each once, in no particular order. The arrays must not be used after the call.
 /// Called in any order, by several threads simultaneously.
@@ -121,6 +129,10 @@ public:
   /// Prepares searches. `mesh` is the mesh of the graph, or null for a cloud; without a mesh, fans
   /// and correction are not available.
   GraphSearch(const GraphView& graph, const SurfaceMesh* mesh);
+  /// Prepares searches with measurements of the mesh, see MeasureVertexAngles(). Such a search
+  /// replaces one with the mesh, except in PlanMany(), Between() and PrepareLandmarks(). No angles
+  /// means that there is no mesh.
+  GraphSearch(const GraphView& graph, std::vector<VertexAngle> angles, double meanEdgeLength);
 
   const GraphView& GetGraph() const;
 
@@ -155,6 +167,16 @@ public:
   Status Many(const std::vector<std::vector<GraphSeed>>& sources, const ManyOptions& options,
     const ParallelFor& parallel, const ProgressCallback& progress, const FieldConsumer& consume,
     std::size_t* numberOfLabels = nullptr) const;
+
+  ///@{
+  /// The two steps of Many(). The groups of a plan may be searched in any order and by different
+  /// objects for the same graph. Sources that are in no group of the plan are ignored.
+  Status PlanMany(const std::vector<std::vector<GraphSeed>>& sources, const ManyOptions& options,
+    ManyPlan& plan) const;
+  Status Many(const std::vector<std::vector<GraphSeed>>& sources, const ManyOptions& options,
+    const ManyPlan& plan, const ParallelFor& parallel, const ProgressCallback& progress,
+    const FieldConsumer& consume, std::size_t* numberOfLabels = nullptr) const;
+  ///@}
 
   /// Returns the approximate memory in bytes, without the graph.
   std::size_t GetMemorySize() const;

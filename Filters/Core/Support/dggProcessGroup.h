@@ -12,6 +12,7 @@
 #include <cstddef>     // for std::size_t
 #include <cstring>     // for std::memcpy
 #include <functional>  // for the transfer
+#include <memory>      // for shared memory
 #include <type_traits> // for std::is_trivially_copyable
 #include <utility>     // for std::move
 #include <vector>      // for messages
@@ -71,6 +72,13 @@ private:
   const char* End;
 };
 
+/// Bytes of an array, see ProcessGroup::ShareMemory.
+struct SharedBlock
+{
+  const void* Data = nullptr;
+  std::size_t Size = 0;
+};
+
 /// Processes that compute a result together. All of them must call the same functions in the same
 /// order, because the functions return when all processes have called them.
 ///
@@ -88,6 +96,13 @@ public:
   std::function<void(std::vector<Message>& sent, std::vector<Message>& received)> Transfer;
   /// Returns success if all processes succeeded, otherwise the error of the first one that failed.
   std::function<Status(const Status&)> FindFailure;
+  /// Copies arrays of the first process to the machines of the others, where blocks of these sizes
+  /// become the addresses of the copies. All other processes of a machine read the same copy. The
+  /// first process keeps its arrays. Returns the owner of the copies; null on all processes if one
+  /// of them cannot share memory.
+  std::function<std::shared_ptr<const void>(std::vector<SharedBlock>& blocks)> ShareMemory;
+  /// Owner of the copies. Processes release the copies together, hence with the group.
+  std::shared_ptr<const void> Shared;
 
   /// Returns success if all processes pass success, otherwise the same error on all processes.
   Status Agree(const Status& status)
@@ -130,8 +145,8 @@ public:
     {
       *isEmpty = !isAnySent;
     }
-    const Status status = CheckMemory("The exchange of pieces", inUse + static_cast<double>(bytes),
-      this->MemoryLimit, "Use more processes");
+    const Status status = CheckMemory("The exchange of messages",
+      inUse + static_cast<double>(bytes), this->MemoryLimit, "Use more processes");
     std::vector<Message> received(sizes.size());
     for (std::size_t process = 0; process < sizes.size() && status.IsOk(); ++process)
     {

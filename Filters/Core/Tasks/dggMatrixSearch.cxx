@@ -7,6 +7,7 @@
 #include "dggGraphSearch.h"
 #include "dggGraphSeeds.h"
 #include "dggGraphSession.h"
+#include "dggMatrixRows.h"
 #include "dggPreparedSurface.h"
 #include "dggProgressPart.h"
 
@@ -59,7 +60,6 @@ private:
   Status LinkPoints(
     const Points& points, const Points& others, double end, Links& links, EntryType entry);
   Status Search(double radius);
-  void EnterDistances(std::size_t source, const double* field) const;
   void Mirror() const;
 
   const TaskContext& Context;
@@ -154,37 +154,32 @@ Status MatrixSearch::Run(bool symmetric, double radius, double unreachedValue)
 
 Status MatrixSearch::Search(double radius)
 {
-  std::vector<std::vector<GraphSeed>> seeds;
-  for (const std::vector<GraphLink>& links : this->SourceLinks)
+  RowLinks links;
+  for (std::size_t i = 0; i < this->Sources.size(); ++i)
   {
-    seeds.push_back(MakeSeeds(links));
+    AppendSeeds(this->SourceLinks[i], links.Seeds, static_cast<Id>(i));
   }
-  ManyOptions options;
-  options.MaximumDistance = radius;
-  for (const std::vector<GraphLink>& links : this->TargetLinks)
+  for (std::size_t j = 0; j < this->Targets.size(); ++j)
   {
-    for (const GraphLink& link : links)
-    {
-      options.Targets.push_back(link.Vertex);
-    }
-  }
-  return this->Graph.GetSearch().Many(seeds, options, this->Context.Parallel,
-    ProgressPart(this->Progress, this->Done, 1.0),
-    [this](std::size_t source, const double* field, const std::vector<Id>&) {
-      this->EnterDistances(source, field);
-    });
-}
-
-void MatrixSearch::EnterDistances(std::size_t source, const double* field) const
-{
-  for (std::size_t j = this->IsSymmetric ? source + 1 : 0; j < this->Targets.size(); ++j)
-  {
-    double& distance = this->Distances(source, j);
     for (const GraphLink& link : this->TargetLinks[j])
     {
-      distance = std::min(distance, field[link.Vertex] + link.Length);
+      links.Targets.push_back({ static_cast<Id>(j), link.Vertex, link.Length });
     }
   }
+  RowOptions options;
+  options.NumberOfSources = this->Sources.size();
+  options.SearchRadius = radius;
+  options.HasTargets = true;
+  options.IsSymmetric = this->IsSymmetric;
+  return FindRows(this->Context, this->Graph.GetSearch(), links, options,
+    ProgressPart(this->Progress, this->Done, 1.0),
+    [this](std::size_t source, const DistanceRow& row) {
+      for (const RowEntry& entry : row)
+      {
+        double& distance = this->Distances(source, static_cast<std::size_t>(entry.Column));
+        distance = std::min(distance, entry.Distance);
+      }
+    });
 }
 
 void MatrixSearch::Mirror() const
@@ -251,20 +246,17 @@ void CopyColumns(const double* matrix, std::size_t numberOfRows,
 Status FindDistanceRows(const TaskContext& context, GraphSession& graph,
   const std::vector<GeodesicSource>& sources, double radius, bool correct, DistanceRows& rows)
 {
-  std::vector<GraphSeed> links;
-  DGG_RETURN_IF_ERROR(graph.MakeSeeds(context, sources, links));
-  std::vector<std::vector<GraphSeed>> seeds(sources.size());
-  for (const GraphSeed& link : links)
-  {
-    seeds[link.Source].push_back(link);
-  }
-  DistanceRowsOptions options;
-  options.Correct = correct && !context.Surface.IsCloud();
-  options.MaximumDistance = radius;
-  options.SearchRadius = options.Correct ? graph.WidenLimit(radius, sources) : radius;
-  options.MemoryLimit = context.Memory.GetBytes();
-  options.NextPoints = FindNextPoints(context.Surface);
-  return FindDistanceRows(
-    graph.GetSearch(), seeds, options, context.Parallel, graph.GetRemainingProgress(context), rows);
+  RowLinks links;
+  DGG_RETURN_IF_ERROR(graph.MakeSeeds(context, sources, links.Seeds));
+  RowOptions wanted;
+  wanted.NumberOfSources = sources.size();
+  wanted.Correct = correct && !context.Surface.IsCloud();
+  wanted.MaximumDistance = radius;
+  wanted.SearchRadius = wanted.Correct ? graph.WidenLimit(radius, sources) : radius;
+  const auto search = [&](const ProgressCallback& progress, const RowConsumer& consume) {
+    return FindRows(context, graph.GetSearch(), links, wanted, progress, consume);
+  };
+  const DistanceRowsOptions options{ context.Memory.GetBytes(), FindNextPoints(context.Surface) };
+  return CompressRows(sources.size(), search, options, graph.GetRemainingProgress(context), rows);
 }
 }

@@ -14,6 +14,7 @@
 namespace dgg
 {
 class PreparedSurface;
+class ProcessGroup;
 struct SurfaceArrays;
 
 /// Made once at the start of an update and passed to all of its steps, which do not change it.
@@ -27,6 +28,10 @@ struct TaskContext
   /// Returns the polygons and strips of the input, without its points. They are converted at the
   /// first call.
   std::function<const SurfaceArrays&()> GetCells;
+  /// Processes that help the first one, which has the surface; null if there are none. The first
+  /// process calls DismissHelpers() after the task, the others call HelpFirst() instead of the
+  /// task.
+  ProcessGroup* Group = nullptr;
 };
 }
 

@@ -5,6 +5,7 @@
 #include "dggFreeMemory.h"
 #include "dggPieceGraph.h"
 #include "dggPreparedSurface.h"
+#include "dggProcessGroup.h"
 #include "dggStatus.h"
 
 #include "vtkCompositeDataIterator.h"
@@ -79,8 +80,8 @@ dgg::Status DGGPartedUpdate::Join(vtkDataObject* input, vtkSmartPointer<vtkPolyD
 }
 
 //------------------------------------------------------------------------------
-dgg::Status DGGPartedUpdate::Run(const DGGProcesses& processes, vtkIdType limit,
-  vtkTypeUInt64 memory, vtkInformationVector** inputs, int numberOfInputs,
+dgg::Status DGGPartedUpdate::Run(const DGGProcesses& processes, dgg::ProcessGroup& group,
+  vtkIdType limit, vtkTypeUInt64 memory, vtkInformationVector** inputs, int numberOfInputs,
   vtkInformationVector* outputs, bool passesSurface, const Step& step)
 {
   if (!(processes == this->Processes))
@@ -95,9 +96,9 @@ dgg::Status DGGPartedUpdate::Run(const DGGProcesses& processes, vtkIdType limit,
     this->Ports.clear(); // forces a search for the parts in the next update
     return gathered;
   }
-  const dgg::Status computed = processes.Agree(processes.IsFirst()
+  const dgg::Status computed = group.Agree(processes.IsFirst()
       ? Guard([&] { return this->Compute(inputs, outputs, passesSurface, step); })
-      : dgg::Status::Success());
+      : step(nullptr, nullptr));
   if (!computed.IsOk())
   {
     this->Outputs.clear();

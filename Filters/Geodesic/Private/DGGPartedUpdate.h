@@ -23,7 +23,8 @@
 class DGGPartedUpdate
 {
 public:
-  /// Computes on joined inputs and fills outputs.
+  /// Computes on joined inputs and fills outputs. Called with null on processes other than the
+  /// first.
   using Step = std::function<dgg::Status(vtkInformationVector**, vtkInformationVector*)>;
 
   /// Returns true if each input is a single part on this process alone.
@@ -32,11 +33,11 @@ public:
   /// Fills the outputs on all processes or on none. If `passesSurface`, output 0 is input 0 with
   /// arrays added, and is divided into the parts of the input; other outputs are on the first
   /// process as a whole. `limit` is the largest number of points that may be gathered, `memory` a
-  /// MemoryLimit for the messages. If a process runs out of memory while sending, the other
-  /// processes hang.
-  dgg::Status Run(const DGGProcesses& processes, vtkIdType limit, vtkTypeUInt64 memory,
-    vtkInformationVector** inputs, int numberOfInputs, vtkInformationVector* outputs,
-    bool passesSurface, const Step& step);
+  /// MemoryLimit for the messages. The processes agree by `group`. If a process runs out of memory
+  /// while sending, the other processes hang.
+  dgg::Status Run(const DGGProcesses& processes, dgg::ProcessGroup& group, vtkIdType limit,
+    vtkTypeUInt64 memory, vtkInformationVector** inputs, int numberOfInputs,
+    vtkInformationVector* outputs, bool passesSurface, const Step& step);
 
   /// Adds the joined graph of the pieces, if there is one, to the joined surface that is the input
   /// of the context. Called by the step.

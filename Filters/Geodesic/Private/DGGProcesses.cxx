@@ -328,6 +328,7 @@ void DGGProcesses::Scatter(
 //------------------------------------------------------------------------------
 bool DGGProcesses::FindGroup(bool canJoin, dgg::ProcessGroup& group) const
 {
+  group.FindFailure = [*this](const dgg::Status& status) { return this->Agree(status); };
   const DGGDistributor* distributor = DGGDistributor::Get();
   const bool isSupported =
     distributor && this->Controller && distributor->Supports(this->Controller);
@@ -341,7 +342,10 @@ bool DGGProcesses::FindGroup(bool canJoin, dgg::ProcessGroup& group) const
                      std::vector<dgg::Message>& sent, std::vector<dgg::Message>& received) {
     distributor->Transfer(controller, sent, received);
   };
-  group.FindFailure = [*this](const dgg::Status& status) { return this->Agree(status); };
+  group.ShareMemory = [distributor, controller = this->Controller](
+                        std::vector<dgg::SharedBlock>& blocks) {
+    return distributor->ShareMemory(controller, blocks);
+  };
   return true;
 }
 

@@ -38,8 +38,8 @@ public:
   /// Returns, item by item, true if the item is true on all processes.
   std::vector<int> AndAll(const std::vector<int>& holds) const;
 
-  /// Gets the processes as a group that exchanges messages. Returns false on all processes if they
-  /// cannot, or if `canJoin` is false on one of them.
+  /// Gets the processes as a group. Returns false on all processes if they cannot exchange
+  /// messages, or if `canJoin` is false on one of them; the group can only agree then.
   bool FindGroup(bool canJoin, dgg::ProcessGroup& group) const;
 
   /// Appends the parts of the other processes on the first process, process by process, with the

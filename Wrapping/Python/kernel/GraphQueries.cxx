@@ -174,7 +174,7 @@ py::object ComputeNeighborhood(
   Call call(arguments);
   SurfacePoints points(rows, "row", "Rows");
   double radius = dgg::Infinity;
-  bool correct = dgg::DistanceRowsOptions().Correct;
+  bool correct = false;
   points.ReadTolerance(arguments);
   arguments.ReadLength("maximum_distance", radius);
   arguments.Read("correction", correct);
