@@ -4,12 +4,14 @@
 /// The graph of a surface in pieces on several processes, and its search: time, memory, messages.
 ///
 /// Usage: mpiexec -n N BenchmarkProcesses [--accuracy=0.01] [--division=strips] [--queries=4]
-///          [--repeats=3] [--threads=2] [--terrain=N] [--replay=P] [--out=FILE] [mesh...]
+///          [--repeats=3] [--threads=2] [--terrain=N] [--replay=P] [--rows=N] [--row-threads=1]
+///          [--out=FILE] [mesh...]
 ///
 /// Divisions are strips, bisection and scattered. --terrain measures a terrain of N x N points
 /// instead. One process with --threads threads then does the same work, and the results are
 /// compared bit by bit, unless --threads=0. With --replay=P (or several numbers, separated by
 /// commas), its graph and its trees give the number of ghosts, layers and rounds on P processes.
+/// --rows=N also finds a matrix of N points on all processes, in the graph of the first one.
 ///
 /// Each mesh gives one line of JSON, which measure_processes.py reads. Lists have one value per
 /// process. Times are the minimum of the repetitions. "work" is the sum of CPU times between
@@ -24,6 +26,7 @@
 #include "PartTestTools.h"
 
 #include "dggBitHash.h"
+#include "dggMatrixRows.h"
 #include "dggPieceGraph.h"
 #include "dggPieceSearch.h"
 #include "dggPreparedSurface.h"
@@ -120,6 +123,9 @@ public:
       this->Controller->Barrier();
       this->Resumed = ThreadSeconds();
       return status;
+    };
+    this->Group.ShareMemory = [this](std::vector<dgg::SharedBlock>& blocks) {
+      return DGGDistributor::Get()->ShareMemory(this->Controller, blocks);
     };
   }
 
@@ -349,6 +355,59 @@ private:
   std::vector<dgg::PieceDistances> Results;
 };
 
+/// Finds the distances between some points. The first process has the graph.
+void RunRows(
+  Processes& processes, const BenchmarkArguments& arguments, vtkPolyData* input, Line& line)
+{
+  dgg::ProcessGroup& group = processes.Group;
+  const Piece all(input, "strips", dgg::ProcessGroup());
+  dgg::SurfaceArrays arrays;
+  arrays.Points = all.Input.Points;
+  arrays.NumberOfPoints = all.Input.NumberOfPoints;
+  arrays.Polygons = all.Input.Cells[2];
+  dgg::PreparedSurface::Pointer surface;
+  Require(dgg::PreparedSurface::Make(
+    arrays, {}, dgg::PreparedSurface::ComputeFingerprint(arrays, {}), surface));
+  dgg::GraphOptions options;
+  options.Accuracy = arguments.GetNumber("accuracy");
+  dgg::GeodesicGraph graph;
+  dgg::RowLinks links;
+  dgg::RowOptions rows;
+  rows.NumberOfSources = arguments.GetInteger("rows");
+  rows.HasTargets = true;
+  rows.IsSymmetric = true;
+  for (std::size_t i = 0; i < rows.NumberOfSources; ++i)
+  {
+    const auto row = static_cast<dgg::Id>(i);
+    const auto v = static_cast<dgg::Id>(i * arrays.NumberOfPoints / rows.NumberOfSources);
+    links.Seeds.push_back({ v, 0.0, 0.0, row, -1.0 });
+    links.Targets.push_back({ row, v, 0.0 });
+  }
+  if (group.Here == 0)
+  {
+    Require(dgg::GraphBuilder(surface->GetMesh()).Build(options, graph));
+  }
+  const int threads = arguments.GetInteger("row-threads");
+  dgg::TaskContext context{ *surface, {}, threads, nullptr, ThreadedLoop(threads), nullptr };
+  context.Group = group.Count > 1 ? &group : nullptr;
+  const MemoryProbe probe;
+  line.Add("rows", processes.Measure(arguments.GetInteger("repeats"), [&] {
+    if (group.Here > 0)
+    {
+      Require(dgg::HelpFirst(context));
+      return;
+    }
+    const dgg::GraphSearch search(graph.View(), &surface->GetMesh());
+    Require(dgg::FindRows(
+      context, search, links, rows, nullptr, [](std::size_t, const dgg::DistanceRow&) {}));
+    if (context.Group)
+    {
+      Require(dgg::DismissHelpers(group));
+    }
+  }));
+  processes.Gather(line, "rows_peak", static_cast<double>(probe.GetHeapPeak()));
+}
+
 void RunMesh(Processes& processes, const BenchmarkArguments& arguments, const std::string& name,
   const std::function<vtkSmartPointer<vtkPolyData>()>& make, std::ostream& file)
 {
@@ -439,6 +498,10 @@ void RunMesh(Processes& processes, const BenchmarkArguments& arguments, const st
       line.AddText("same", alone.Hash == dgg::SumSignatures(hashes) ? "true" : "false");
     });
   }
+  if (arguments.GetInteger("rows") > 0)
+  {
+    RunRows(processes, arguments, make(), line);
+  }
   if (group.Here == 0)
   {
     std::cout << line.Get() << std::endl;
@@ -454,9 +517,9 @@ int main(int argc, char** argv)
   try
   {
     Processes processes(controller);
-    BenchmarkArguments arguments(
-      { { "accuracy", "0.01" }, { "out", "" }, { "division", "strips" }, { "queries", "4" },
-        { "repeats", "3" }, { "replay", "" }, { "terrain", "" }, { "threads", "2" } });
+    BenchmarkArguments arguments({ { "accuracy", "0.01" }, { "out", "" }, { "division", "strips" },
+      { "queries", "4" }, { "repeats", "3" }, { "replay", "" }, { "row-threads", "1" },
+      { "rows", "0" }, { "terrain", "" }, { "threads", "2" } });
     arguments.Parse(argc, argv);
     std::ofstream file;
     if (processes.Group.Here == 0)
