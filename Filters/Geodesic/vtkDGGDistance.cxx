@@ -9,6 +9,7 @@
 #include "dggPieceDistances.h"
 #include "dggPieceLinks.h"
 #include "dggPieceSearch.h"
+#include "dggPieceVirtualSources.h"
 #include "dggProcessGroup.h"
 #include "dggSourceCollection.h"
 
@@ -28,10 +29,7 @@ public:
   using DGGGraphInternalsOf::DGGGraphInternalsOf;
 
   dgg::Status ComputeDistances(const DGGContext& context, dgg::DistanceTask& task) override;
-  bool CanDistribute() const override
-  {
-    return !this->Self->GetGenerateVirtualSource() && !this->Self->GetPassSourceArrays();
-  }
+  bool CanDistribute() const override { return !this->Self->GetPassSourceArrays(); }
   dgg::Status ExecutePiece(
     const DGGContext& context, const DGGPieceUpdate& update, bool& isDone) override;
   std::vector<dgg::VertexArray> DeclareArrays() const override;
@@ -45,11 +43,15 @@ private:
   struct PieceSearches
   {
     dgg::PieceSearch Search;
-    std::unique_ptr<dgg::PieceLinks> Links; // null unless positions were found
-    DGGGraphArrays::Key Key;                // of the graph
+    ///@{
+    // Null unless they were needed.
+    std::unique_ptr<dgg::PieceLinks> Links;
+    std::unique_ptr<dgg::PieceVirtualSources> VirtualSources;
+    ///@}
+    DGGGraphArrays::Key Key; // of the graph
   };
 
-  dgg::Status PreparePiece(const DGGPieceUpdate& update, bool hasPositions,
+  dgg::Status PreparePiece(const DGGPieceUpdate& update, bool hasPositions, bool wantVirtualSource,
     std::unique_ptr<PieceSearches>& searches, bool& isDone) const;
 
   std::unique_ptr<PieceSearches> Searches; // of the last update; null after a failure
@@ -126,18 +128,12 @@ dgg::Status vtkDGGDistance::vtkInternals::ExecutePiece(
   {
     return dgg::Status::Success();
   }
-  DGG_RETURN_IF_ERROR(
-    this->PreparePiece(update, sources.GetNumberOfPositions() > 0, searches, isDone));
-  if (!isDone)
-  {
-    this->GraphUser.RefusePiece();
-    return dgg::Status::Success();
-  }
   struct
   {
     dgg::PieceDistanceOptions Options;
     double MaximumDistance;
     bool WantNearestSource;
+    bool WantVirtualSource;
   } first;
   dgg::DistanceRequest request = this->MakeRequest();
   const double accuracy = this->GraphUser.GetPiece().GetView().Info.Accuracy;
@@ -146,12 +142,22 @@ dgg::Status vtkDGGDistance::vtkInternals::ExecutePiece(
   first.Options.Correct = this->Self->Correction;
   first.MaximumDistance = request.MaximumDistance;
   first.WantNearestSource = request.WantNearestSource;
+  first.WantVirtualSource = request.WantVirtualSource;
   DGG_RETURN_IF_ERROR(group.TakeFromFirst(first));
   request.MaximumDistance = first.MaximumDistance;
   request.WantNearestSource = first.WantNearestSource;
+  request.WantVirtualSource = first.WantVirtualSource;
+  DGG_RETURN_IF_ERROR(this->PreparePiece(
+    update, sources.GetNumberOfPositions() > 0, request.WantVirtualSource, searches, isDone));
+  if (!isDone)
+  {
+    this->GraphUser.RefusePiece();
+    return dgg::Status::Success();
+  }
   dgg::DistanceOutput results;
-  DGG_RETURN_IF_ERROR(dgg::FindPieceDistances(group, searches->Search, searches->Links.get(),
-    sources, first.Options, request, context.Progress, results, isDone));
+  DGG_RETURN_IF_ERROR(
+    dgg::FindPieceDistances(context, group, searches->Search, searches->Links.get(),
+      searches->VirtualSources.get(), sources, first.Options, request, results, isDone));
   if (!isDone)
   {
     return dgg::Status::Success();
@@ -166,10 +172,11 @@ dgg::Status vtkDGGDistance::vtkInternals::ExecutePiece(
 }
 
 //------------------------------------------------------------------------------
-/// Prepares searches in the graph of the piece, from positions as well if there are any, unless
-/// this was done before. Ids of sources must number the points.
+/// Prepares searches in the graph of the piece, with positions or virtual sources if they are
+/// needed, unless this was done before. Ids of sources must number the points.
 dgg::Status vtkDGGDistance::vtkInternals::PreparePiece(const DGGPieceUpdate& update,
-  bool hasPositions, std::unique_ptr<PieceSearches>& searches, bool& isDone) const
+  bool hasPositions, bool wantVirtualSource, std::unique_ptr<PieceSearches>& searches,
+  bool& isDone) const
 {
   const DGGGraphArrays& graph = this->GraphUser.GetPiece();
   bool isPrepared = searches && searches->Key == graph.GetKey();
@@ -182,16 +189,19 @@ dgg::Status vtkDGGDistance::vtkInternals::PreparePiece(const DGGPieceUpdate& upd
       update.Group, update.Piece, graph.GetView(), graph.GetGraph().GetGhosts(), isDone));
     isDone = isDone && searches->Search.HasConsecutiveIds();
   }
-  if (!hasPositions || !isDone)
-  {
+  const auto prepare = [&](bool isNeeded, auto& part) {
+    bool isReady = !isNeeded || part;
+    if (isDone)
+    {
+      DGG_RETURN_IF_ERROR(update.Group.Require(isReady));
+      if (!isReady)
+      {
+        part = std::make_unique<typename std::decay_t<decltype(part)>::element_type>();
+        DGG_RETURN_IF_ERROR(part->Prepare(update.Group, update.Piece, isDone));
+      }
+    }
     return dgg::Status::Success();
-  }
-  bool canLink = searches->Links != nullptr;
-  DGG_RETURN_IF_ERROR(update.Group.Require(canLink));
-  if (!canLink)
-  {
-    searches->Links = std::make_unique<dgg::PieceLinks>();
-    DGG_RETURN_IF_ERROR(searches->Links->Prepare(update.Group, update.Piece, isDone));
-  }
-  return dgg::Status::Success();
+  };
+  DGG_RETURN_IF_ERROR(prepare(hasPositions, searches->Links));
+  return prepare(wantVirtualSource, searches->VirtualSources);
 }

@@ -23,6 +23,79 @@ inline std::vector<double> GetValues(vtkPolyData* data, const char* name)
   return values;
 }
 
+/// A rule that assigns cells to pieces.
+struct Division
+{
+  const char* Name;
+  Labels (*Label)(vtkPolyData* surface, int parts);
+};
+
+/// Assigns cells to connected pieces, and the components without a seed to the first one.
+inline Labels LabelConnected(vtkPolyData* surface, int parts)
+{
+  Labels labels = LabelRandomly(surface, parts, 5);
+  std::replace(labels.begin(), labels.end(), -1, 0);
+  return labels;
+}
+
+/// Assigns cells to strips; the last of more than two pieces is empty.
+inline Labels LabelStripsButOne(vtkPolyData* surface, int parts)
+{
+  return LabelStrips(surface, parts > 2 ? parts - 1 : parts);
+}
+
+inline const Division divisions[] = { { "Strips", LabelStrips }, { "Bisection", LabelBisection },
+  { "Connected", LabelConnected }, { "Scattered", LabelScattered },
+  { "OneIsEmpty", LabelStripsButOne } };
+
+/// Returns the centers of some cells, and points between two of their corners.
+inline vtkSmartPointer<vtkPolyData> MakePointsOfCells(vtkPolyData* surface)
+{
+  Points points;
+  vtkNew<vtkIdList> corners;
+  for (vtkIdType cell = 3; cell < surface->GetNumberOfCells();
+       cell += surface->GetNumberOfCells() / 7 + 1)
+  {
+    surface->GetCellPoints(cell, corners);
+    std::array<double, 3> center{};
+    std::array<double, 3> middle{};
+    for (vtkIdType k = 0; k < corners->GetNumberOfIds(); ++k)
+    {
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        const double x = surface->GetPoint(corners->GetId(k))[axis];
+        center[axis] += x / static_cast<double>(corners->GetNumberOfIds());
+        middle[axis] += k < 2 ? 0.5 * x : 0.0;
+      }
+    }
+    points.push_back(center);
+    points.push_back(middle);
+  }
+  return MakeSourcePoints(points);
+}
+
+/// Returns a point of cells with different labels.
+inline vtkIdType FindSharedPoint(vtkPolyData* surface, const Labels& labels)
+{
+  std::vector<int> labelOfPoints(surface->GetNumberOfPoints(), -1);
+  vtkNew<vtkIdList> corners;
+  for (vtkIdType cell = 0; cell < surface->GetNumberOfCells(); ++cell)
+  {
+    surface->GetCellPoints(cell, corners);
+    for (vtkIdType k = 0; k < corners->GetNumberOfIds(); ++k)
+    {
+      int& label = labelOfPoints[corners->GetId(k)];
+      if (label >= 0 && label != labels[cell])
+      {
+        return corners->GetId(k);
+      }
+      label = labels[cell];
+    }
+  }
+  ADD_FAILURE() << "the pieces do not touch";
+  return 0;
+}
+
 class PieceGraph : public SeveralProcesses
 {
 protected:

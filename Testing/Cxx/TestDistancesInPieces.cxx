@@ -195,7 +195,7 @@ TEST_F(PieceGraph, IdsNumberThePointsOfOneProcess)
   }
   const auto search = [](auto* filter) {
     filter->SetSourceIds({ 5, 77 });
-    filter->GenerateVirtualSourceOn(); // gathers
+    filter->PassSourceArraysOn(); // gathers
   };
   ExpectArray(this->Together<vtkDGGDistance>(piece, search)->GetOutput(),
     Alone<vtkDGGDistance>(this->Surface, search)->GetOutput(), "GeodesicDistance", 0.0);

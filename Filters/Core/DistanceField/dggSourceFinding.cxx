@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace dgg
 {
@@ -87,52 +88,57 @@ VirtualSource FindLastPiece(
   return start;
 }
 
-/// Replaces virtual sources by their predecessors if the predecessors are better.
-///
-/// The last straight segment of a path to a vertex starts at its relay: a vertex at which the path
-/// bends, or through which the path runs straight. Paths through the relay reach only a narrow
-/// wedge behind the relay. Beside the wedge, distances are measured from the virtual source of the
-/// relay itself, which may explain more distances around the vertex. Along the boundary of a hole
-/// the wedges are as narrow as the segments are short, and faces may be long.
-///
-/// The distances of neighbors decide. If the model with the relay overestimates the distance of a
-/// neighbor, another wavefront may be nearer. If the model of the preceding source underestimates
-/// the distance, the preceding source is not visible from the neighbor. Therefore the preceding
-/// source may only underestimate slightly in exchange for the distances that it explains.
-///
-/// `relays` is NoId for vertices whose virtual source is a source of the run.
+/// Merges the virtual sources of all vertices with those of their relays. `relays` is NoId for
+/// vertices whose virtual source is a source of the run.
 void MergeRelays(const SurfaceMesh& mesh, const std::vector<double>& distances,
   const std::vector<Id>& relays, const ParallelFor& parallel, VirtualSources& sources)
 {
   const VirtualSources pieces = sources;
-  const auto lengthen = [&](Id v) {
-    const double length = pieces[v].Length;
-    const double longer = length + sources[relays[v]].Length;
-    const CornerModel here(mesh, v, pieces[v], distances[v]);
-    const CornerModel before(mesh, v, { 0.0, longer, pieces[v].Angle }, distances[v]);
-    return here.IsKnown && IsConfirmed(mesh, v, here, before, distances) ? longer : length;
-  };
-  // The first pass uses the relays as found; the second pass tests vertices behind merged relays.
-  std::vector<double> lengths(relays.size());
-  ForRange(
-    parallel, static_cast<Offset>(relays.size()), VerticesPerTask, [&](Offset begin, Offset end) {
-      for (Id v = static_cast<Id>(begin); v < end; ++v)
-      {
-        const bool mayMerge = relays[v] != NoId && pieces[relays[v]].Length > 0.0;
-        lengths[v] = mayMerge ? lengthen(v) : pieces[v].Length;
-      }
-    });
+  std::vector<double> relayLengths(relays.size());
+  std::transform(relays.begin(), relays.end(), relayLengths.begin(),
+    [&](Id relay) { return relay == NoId ? RelayMerger::NoRelay : pieces[relay].Length; });
+  const RelayMerger merger(mesh, distances, pieces, std::move(relayLengths), parallel);
   for (const Id v : SortForest(relays))
   {
-    const Id relay = relays[v];
-    const bool isRelayMerged = relay != NoId && sources[relay].Length != pieces[relay].Length;
-    sources[v].Length = isRelayMerged ? lengthen(v) : lengths[v];
-    if (sources[v].Length != pieces[v].Length)
+    const double length =
+      merger.FindLength(v, relays[v] == NoId ? RelayMerger::NoRelay : sources[relays[v]].Length);
+    if (length != pieces[v].Length)
     {
-      sources[v].Offset += pieces[v].Length - sources[v].Length;
+      sources[v].Length = length;
+      sources[v].Offset += pieces[v].Length - length;
     }
   }
 }
+}
+
+RelayMerger::RelayMerger(const SurfaceMesh& mesh, const std::vector<double>& distances,
+  const VirtualSources& sources, std::vector<double> relayLengths, const ParallelFor& parallel)
+  : Mesh(mesh)
+  , Distances(distances)
+  , Sources(sources)
+  , RelayLengths(std::move(relayLengths))
+  , Lengths(RelayLengths.size())
+{
+  ForRange(parallel, static_cast<Offset>(this->Lengths.size()), VerticesPerTask,
+    [&](Offset begin, Offset end) {
+      for (Id v = static_cast<Id>(begin); v < end; ++v)
+      {
+        const double relayLength = this->RelayLengths[v];
+        this->Lengths[v] =
+          relayLength > 0.0 ? this->Lengthen(v, relayLength) : this->Sources[v].Length;
+      }
+    });
+}
+
+/// Returns the length up to the virtual source of the relay if that source is better.
+double RelayMerger::Lengthen(Id v, double relayLength) const
+{
+  const VirtualSource& piece = this->Sources[v];
+  const double longer = piece.Length + relayLength;
+  const CornerModel here(this->Mesh, v, piece, this->Distances[v]);
+  const CornerModel before(this->Mesh, v, { 0.0, longer, piece.Angle }, this->Distances[v]);
+  return here.IsKnown && IsConfirmed(this->Mesh, v, here, before, this->Distances) ? longer
+                                                                                   : piece.Length;
 }
 
 void FindVirtualSources(const SurfaceMesh& mesh, const SearchResult& result,
@@ -145,10 +151,7 @@ void FindVirtualSources(const SurfaceMesh& mesh, const SearchResult& result,
     const Id tail = result.Tails[v];
     if (tail != NoId)
     {
-      // With the offset of the tail, the path continues straight through the tail; otherwise the
-      // tail is the relay.
-      const bool isStraight = found[v].Offset == found[tail].Offset;
-      relays[v] = isStraight ? relays[tail] : tail;
+      relays[v] = IsStraight(found[tail], found[v]) ? relays[tail] : tail;
     }
   }
   MergeRelays(mesh, result.Corrected, relays, parallel, found);

@@ -16,6 +16,52 @@
 
 namespace dgg
 {
+/// Returns true if the path to a vertex continues straight through its tail. Otherwise the tail is
+/// the relay of the vertex.
+inline bool IsStraight(const VirtualSource& tail, const VirtualSource& vertex)
+{
+  return vertex.Offset == tail.Offset;
+}
+
+/// Merges virtual sources with their predecessors if the predecessors are better.
+///
+/// The last straight segment of a path to a vertex starts at its relay: a vertex at which the path
+/// bends, or through which the path runs straight. Paths through the relay reach only a narrow
+/// wedge behind the relay. Beside the wedge, distances are measured from the virtual source of the
+/// relay itself, which may explain more distances around the vertex. Along the boundary of a hole
+/// the wedges are as narrow as the segments are short, and faces may be long.
+///
+/// The distances of neighbors decide. If the model with the relay overestimates the distance of a
+/// neighbor, another wavefront may be nearer. If the model of the preceding source underestimates
+/// the distance, the preceding source is not visible from the neighbor. Therefore the preceding
+/// source may only underestimate slightly in exchange for the distances that it explains.
+class DGG_CORE_EXPORT RelayMerger
+{
+public:
+  /// Relay length of vertices whose virtual source is a source of the run.
+  static constexpr double NoRelay = -1.0;
+
+  /// Tests all vertices with the relays as found. `relayLengths` contains, per vertex, the length
+  /// of the virtual source of its relay, or NoRelay. The other arrays must outlive this object.
+  RelayMerger(const SurfaceMesh& mesh, const std::vector<double>& distances,
+    const VirtualSources& sources, std::vector<double> relayLengths, const ParallelFor& parallel);
+
+  /// Returns the length of the virtual source of a vertex after merging, given that of its relay.
+  double FindLength(Id v, double relayLength) const
+  {
+    return relayLength == this->RelayLengths[v] ? this->Lengths[v] : this->Lengthen(v, relayLength);
+  }
+
+private:
+  double Lengthen(Id v, double relayLength) const;
+
+  const SurfaceMesh& Mesh;
+  const std::vector<double>& Distances;
+  const VirtualSources& Sources;
+  std::vector<double> RelayLengths;
+  std::vector<double> Lengths; // if the relay is not merged
+};
+
 /// Finds the virtual source of each vertex for exact distances. A virtual source is the
 /// pseudo-source at the start of the last straight segment of the path to the vertex. If the
 /// preceding pseudo-source explains more distances, for example behind flat vertices, the preceding

@@ -141,28 +141,18 @@ Offset CountBoundaryLoops(const SurfaceMesh& mesh, FanCounter& fans)
   return std::count_if(boundary.begin(), boundary.end(), [&](Id h) { return loops.Find(h) == h; });
 }
 
-/// Calls `visit(product, area)` for the non-degenerate faces; `product / area` is the elongation.
-template <typename Visitor>
-void ForEachElongation(const SurfaceMesh& mesh, Visitor&& visit)
-{
-  for (Id f = 0; f < mesh.GetNumberOfFaces(); ++f)
-  {
-    if (!mesh.IsDropped(f) && !mesh.IsDegenerate(f))
-    {
-      const double a = mesh.Length(3 * f);
-      const double b = mesh.Length(3 * f + 1);
-      const double c = mesh.Length(3 * f + 2);
-      const double product = std::max({ a, b, c }) * (a + b + c) / (4.0 * std::sqrt(3.0));
-      visit(product, TriangleArea(a, b, c));
-    }
-  }
-}
-
 double MeasureMedianAnisotropy(const SurfaceMesh& mesh)
 {
   std::vector<double> elongations;
-  ForEachElongation(
-    mesh, [&](double product, double area) { elongations.push_back(product / area); });
+  for (Id f = 0; f < mesh.GetNumberOfFaces(); ++f)
+  {
+    MeanAnisotropy ofFace;
+    ofFace.Add(mesh, f);
+    if (ofFace.Area > 0.0)
+    {
+      elongations.push_back(ofFace.Get());
+    }
+  }
   if (elongations.empty())
   {
     return 0.0;
@@ -220,15 +210,26 @@ std::vector<std::string> DescribeDefects(const SurfaceDefects& defects)
   return warnings;
 }
 
-double MeasureMeanAnisotropy(const SurfaceMesh& mesh)
+void MeanAnisotropy::Add(const SurfaceMesh& mesh, Id f)
 {
-  double sum = 0.0;
-  double total = 0.0;
-  ForEachElongation(mesh, [&](double product, double area) {
-    sum += product;
-    total += area;
-  });
-  return total > 0.0 ? sum / total : 0.0;
+  if (!mesh.IsDropped(f) && !mesh.IsDegenerate(f))
+  {
+    const double a = mesh.Length(3 * f);
+    const double b = mesh.Length(3 * f + 1);
+    const double c = mesh.Length(3 * f + 2);
+    this->Weighted += std::max({ a, b, c }) * (a + b + c) / (4.0 * std::sqrt(3.0));
+    this->Area += TriangleArea(a, b, c);
+  }
+}
+
+MeanAnisotropy MeasureMeanAnisotropy(const SurfaceMesh& mesh)
+{
+  MeanAnisotropy mean;
+  for (Id f = 0; f < mesh.GetNumberOfFaces(); ++f)
+  {
+    mean.Add(mesh, f);
+  }
+  return mean;
 }
 
 Offset CountCoincidentPoints(const double* points, Offset numberOfPoints)
@@ -288,8 +289,9 @@ MeshReport InspectMesh(const SurfaceMesh& mesh, const double* points)
   report.DegenerateFaces = mesh.GetNumberOfDegenerateFaces();
   report.CoincidentPoints = points ? CountCoincidentPoints(points, report.Vertices) : 0;
   report.Mollification = mesh.GetMollification();
-  ForEachElongation(mesh, [&](double, double area) { report.Area += area; });
-  report.MeanAnisotropy = MeasureMeanAnisotropy(mesh);
+  const MeanAnisotropy mean = MeasureMeanAnisotropy(mesh);
+  report.Area = mean.Area;
+  report.MeanAnisotropy = mean.Get();
   report.MedianAnisotropy = MeasureMedianAnisotropy(mesh);
 
   Id components = 0;

@@ -36,7 +36,7 @@ struct MeshReport
   /// non-manifold edge exists or the mesh has no orientation.
   Offset Genus = 0;
   double Area = 0.0;             ///< of the non-degenerate faces
-  double MeanAnisotropy = 0.0;   ///< see MeasureMeanAnisotropy()
+  double MeanAnisotropy = 0.0;   ///< see MeanAnisotropy
   double MedianAnisotropy = 0.0; ///< median of the same quantity over the faces
   double Mollification = 0.0;    ///< length added to the edges of degenerate faces
 };
@@ -60,10 +60,19 @@ DGG_CORE_EXPORT SurfaceDefects CountDefects(
 /// Returns a warning for each kind of defects.
 DGG_CORE_EXPORT std::vector<std::string> DescribeDefects(const SurfaceDefects& defects);
 
-/// Returns the mean elongation of triangles, l_max (l1+l2+l3) / (4 sqrt(3) area), over the
-/// non-degenerate faces, weighted by area, so that slivers hardly count; 1 for equilateral
-/// triangles, 0 if all faces are degenerate.
-DGG_CORE_EXPORT double MeasureMeanAnisotropy(const SurfaceMesh& mesh);
+/// Mean elongation of triangles, l_max (l1+l2+l3) / (4 sqrt(3) area), over the non-degenerate
+/// faces, weighted by area, so that slivers hardly count.
+struct DGG_CORE_EXPORT MeanAnisotropy
+{
+  double Weighted = 0.0; ///< sum of elongation times area
+  double Area = 0.0;
+
+  void Add(const SurfaceMesh& mesh, Id f);
+  /// Returns the mean; 1 for equilateral triangles, 0 if all faces are degenerate.
+  double Get() const { return this->Area > 0.0 ? this->Weighted / this->Area : 0.0; }
+};
+/// Returns the MeanAnisotropy of all faces.
+DGG_CORE_EXPORT MeanAnisotropy MeasureMeanAnisotropy(const SurfaceMesh& mesh);
 
 /// Returns the number of points (x y z each) with exactly the coordinates of an earlier one. Points
 /// with a non-finite coordinate are not counted.

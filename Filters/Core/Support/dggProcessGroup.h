@@ -158,6 +158,25 @@ public:
     return Status::Success();
   }
 
+  /// Sends lists[p] to each process p; lists[p] becomes the list from process p. `inUse` are the
+  /// bytes in use already, without the lists.
+  template <typename T>
+  Status ExchangeLists(std::vector<std::vector<T>>& lists, double inUse = 0.0)
+  {
+    std::vector<Message> messages(lists.size());
+    for (std::size_t process = 0; process < lists.size(); ++process)
+    {
+      inUse += static_cast<double>(lists[process].size() * sizeof(T));
+      Append(messages[process], lists[process]);
+    }
+    DGG_RETURN_IF_ERROR(this->Exchange(messages, inUse));
+    for (std::size_t process = 0; process < lists.size(); ++process)
+    {
+      lists[process] = MessageReader(messages[process]).Take<T>();
+    }
+    return Status::Success();
+  }
+
   /// Gets the values of all processes, in their order.
   template <typename T>
   Status Share(const T& value, std::vector<T>& all)

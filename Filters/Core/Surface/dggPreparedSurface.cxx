@@ -432,8 +432,8 @@ const MeshReport& PreparedSurface::GetReport() const
 //------------------------------------------------------------------------------
 double PreparedSurface::GetMeanAnisotropy() const
 {
-  std::call_once(
-    this->AnisotropyOnce, [this] { this->MeanAnisotropy = MeasureMeanAnisotropy(this->Mesh); });
+  std::call_once(this->AnisotropyOnce,
+    [this] { this->MeanAnisotropy = MeasureMeanAnisotropy(this->Mesh).Get(); });
   return this->MeanAnisotropy;
 }
 

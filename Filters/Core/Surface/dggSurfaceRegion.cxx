@@ -210,6 +210,45 @@ Id SurfaceRegion::AddVertex(Offset globalId, int owner)
   return this->AddPoint(globalId, nowhere, { owner });
 }
 
+Status SurfaceRegion::TakeFromOwners(
+  ProcessGroup& group, int components, std::vector<double>& values, double inUse) const
+{
+  const auto count = static_cast<std::size_t>(group.Count);
+  std::vector<std::vector<Id>> points(count); // of the region, per owner
+  std::vector<std::vector<Offset>> ids(count);
+  for (Id point = 0; point < this->GetNumberOfPoints(); ++point)
+  {
+    const int owner = this->GetOwner(point);
+    if (owner != group.Here)
+    {
+      points[owner].push_back(point);
+      ids[owner].push_back(this->PointIds[point]);
+    }
+  }
+  inUse += this->GetMemorySize() + static_cast<double>(values.size() * sizeof(double));
+  DGG_RETURN_IF_ERROR(group.ExchangeLists(ids, inUse));
+  std::vector<std::vector<double>> lists(count);
+  for (std::size_t process = 0; process < count; ++process)
+  {
+    for (const Offset id : ids[process])
+    {
+      const auto begin = values.begin() + components * static_cast<Offset>(this->GetPoint(id));
+      lists[process].insert(lists[process].end(), begin, begin + components);
+    }
+  }
+  DGG_RETURN_IF_ERROR(group.ExchangeLists(lists, inUse));
+  for (std::size_t process = 0; process < count; ++process)
+  {
+    auto next = lists[process].begin();
+    for (const Id point : points[process])
+    {
+      std::copy_n(next, components, values.begin() + components * static_cast<Offset>(point));
+      next += components;
+    }
+  }
+  return Status::Success();
+}
+
 /// Adds a point unless it is in the region already. Returns its index.
 Id SurfaceRegion::AddPoint(Offset globalId, const double* position, const std::vector<int>& holders)
 {

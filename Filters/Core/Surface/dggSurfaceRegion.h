@@ -81,6 +81,13 @@ public:
     return holders[static_cast<std::uint64_t>(this->PointIds[point]) % holders.size()];
   }
   ///@}
+  /// Returns the point with a global id, which must exist.
+  Id GetPoint(Offset globalId) const { return this->Points.at(globalId); }
+  /// Replaces the values of points that belong to other processes by the values there. `values` has
+  /// `components` numbers per point of the region; those of the piece are known. `inUse` as in
+  /// Grow().
+  Status TakeFromOwners(
+    ProcessGroup& group, int components, std::vector<double>& values, double inUse) const;
   /// Returns the point with a global id. Adds a point without cells if there is none, after which
   /// the region must not grow.
   Id AddVertex(Offset globalId, int owner);

@@ -35,10 +35,30 @@ constexpr double ErrorInsideTriangles = 1.0;
 constexpr double ErrorAtBorders = 0.25;
 /// @}
 
-/// Returns true if errors inside triangles may exceed the accuracy: on long triangles, or if
-/// accuracy times the largest distance is less than `error` mean edges. The mean over the reached
-/// triangles is weighted by area. Because of initial distances, the smallest distance is subtracted
-/// from the largest one.
+/// Sizes of the reached triangles of a surface, or of a piece of one.
+struct DGG_CORE_EXPORT ReachedTriangles
+{
+  double Nearest = Infinity;      ///< smallest distance of a corner
+  double Farthest = 0.0;          ///< largest distance of a corner
+  double Area = 0.0;              ///< twice the area
+  double WeightedPerimeter = 0.0; ///< sum of perimeter times twice the area
+
+  /// Adds a face if it is reached. `distances` are per vertex.
+  void Add(const SurfaceMesh& mesh, Id f, const std::vector<double>& distances);
+  void Add(const ReachedTriangles& piece);
+  /// Returns true if accuracy times the largest distance is less than `error` mean edges. The mean
+  /// is weighted by area. Because of initial distances, the smallest distance is subtracted from
+  /// the largest one.
+  bool AreCoarse(double accuracy, double error) const
+  {
+    return this->Area > 0.0 &&
+      accuracy * (this->Farthest - this->Nearest) * this->Area <
+      error * this->WeightedPerimeter / 3.0;
+  }
+};
+
+/// Returns true if errors inside triangles may exceed the accuracy: on long triangles, or on coarse
+/// ones.
 DGG_CORE_EXPORT bool HasCoarseTriangles(const PreparedSurface& surface, double accuracy,
   const std::vector<double>& distances, double error);
 

@@ -6,8 +6,10 @@
 #include "dggGraphSession.h"
 #include "dggPieceLinks.h"
 #include "dggPieceSearch.h"
+#include "dggPieceVirtualSources.h"
 #include "dggPreparedSurface.h"
 #include "dggSourceCollection.h"
+#include "dggTaskContext.h"
 
 #include <algorithm>
 #include <string>
@@ -15,9 +17,9 @@
 
 namespace dgg
 {
-Status FindPieceDistances(ProcessGroup& group, PieceSearch& search, PieceLinks* links,
-  const SourceCollection& sources, const PieceDistanceOptions& options,
-  const DistanceRequest& request, const ProgressCallback& progress, DistanceOutput& output,
+Status FindPieceDistances(const TaskContext& context, ProcessGroup& group, PieceSearch& search,
+  PieceLinks* links, const PieceVirtualSources* virtualSources, const SourceCollection& sources,
+  const PieceDistanceOptions& options, const DistanceRequest& request, DistanceOutput& output,
   bool& isDone)
 {
   DGG_RETURN_IF_ERROR(sources.Check(search.GetNumberOfPoints()));
@@ -43,23 +45,35 @@ Status FindPieceDistances(ProcessGroup& group, PieceSearch& search, PieceLinks* 
   wanted.MaximumDistance = options.Correct
     ? GraphSession::WidenLimit(request.MaximumDistance, smallestOffset, options.Accuracy)
     : request.MaximumDistance;
-  wanted.Correct = options.Correct;
+  wanted.Correct = options.Correct || request.WantVirtualSource;
   wanted.FindSources = request.WantNearestSource;
-  wanted.Progress = progress;
+  wanted.FindRelays = request.WantVirtualSource;
+  wanted.Progress = context.Progress;
   PieceDistances found;
   DGG_RETURN_IF_ERROR(search.Run(group, seeds, wanted, found, isDone));
+  if (isDone && options.Correct && request.WantVirtualSource)
+  {
+    DGG_RETURN_IF_ERROR(
+      virtualSources->CheckTriangles(group, found.Labels, options.Accuracy, isDone));
+  }
   if (!isDone)
   {
     return Status::Success();
   }
   DistanceResults results;
+  const std::vector<double>& distances = options.Correct ? found.Corrected : found.Labels;
+  if (request.WantVirtualSource)
+  {
+    DGG_RETURN_IF_ERROR(virtualSources->Find(
+      group, found, distances, context.Parallel, search.GetMemorySize(), results.VirtualSource));
+  }
   results.MaximumDistance = request.MaximumDistance;
   results.Arrays = request.Arrays;
   for (VertexArray& array : results.Arrays)
   {
     array.Components = { found.Labels };
   }
-  results.Distances = std::move(options.Correct ? found.Corrected : found.Labels);
+  results.Distances = distances;
   results.NearestSource = std::move(found.NearestSource);
   const std::string warning = sources.DescribeIsolated(isolated, false);
   if (group.Here == 0 && !warning.empty())

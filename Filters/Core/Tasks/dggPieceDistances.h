@@ -6,17 +6,18 @@
 #define dggPieceDistances_h
 
 #include "dggCoreExport.h" // for DGG_CORE_EXPORT
-#include "dggParallel.h"   // for ProgressCallback
 #include "dggStatus.h"     // for Status
 
 namespace dgg
 {
 class PieceLinks;
 class PieceSearch;
+class PieceVirtualSources;
 class ProcessGroup;
 struct DistanceOutput;
 struct DistanceRequest;
 struct SourceCollection;
+struct TaskContext;
 
 /// Options of distances in pieces.
 struct PieceDistanceOptions
@@ -27,14 +28,15 @@ struct PieceDistanceOptions
 };
 
 /// Computes distances together with the other processes, and adds them as arrays of the points of
-/// the piece. Arrays of the request receive the lengths of paths, which are upper bounds. `links`
-/// may be null if the collection has no positions. Collection, options and request must be the same
-/// on all processes. Virtual sources and sources of points are not available. `isDone` becomes
-/// false on all processes for the reasons of PieceSearch::Run().
-DGG_CORE_EXPORT Status FindPieceDistances(ProcessGroup& group, PieceSearch& search,
-  PieceLinks* links, const SourceCollection& sources, const PieceDistanceOptions& options,
-  const DistanceRequest& request, const ProgressCallback& progress, DistanceOutput& output,
-  bool& isDone);
+/// the piece. Arrays of the request receive the lengths of paths, which are upper bounds. The
+/// surface of the context is not used. `links` may be null if the collection has no positions, and
+/// `virtualSources` if these are not requested. Collection, options and request must be the same on
+/// all processes. Sources of points are not available. `isDone` becomes false on all processes for
+/// the reasons of PieceSearch::Run(), and if virtual sources need windows.
+DGG_CORE_EXPORT Status FindPieceDistances(const TaskContext& context, ProcessGroup& group,
+  PieceSearch& search, PieceLinks* links, const PieceVirtualSources* virtualSources,
+  const SourceCollection& sources, const PieceDistanceOptions& options,
+  const DistanceRequest& request, DistanceOutput& output, bool& isDone);
 }
 
 #endif

@@ -5,6 +5,7 @@
 #include "dggBucketSearch.h"
 #include "dggPrefetch.h"
 #include "dggProgressPart.h"
+#include "dggSourceFinding.h"
 #include "dggSurfaceRegion.h"
 
 #include <algorithm>
@@ -20,7 +21,7 @@ namespace
 /// Progress weight of finding labels if the tree is followed as well.
 constexpr double LabelShare = 0.7;
 /// Bytes per vertex of ids, labels, fans, arrivals and results.
-constexpr std::size_t BytesOfVertex = 160;
+constexpr std::size_t BytesOfVertex = 216;
 
 /// Number of vertices by which data is prefetched.
 constexpr std::size_t Lookahead = 8;
@@ -64,29 +65,13 @@ void AppendIfAny(Message& message, const std::vector<Value>& list)
     Append(message, list);
   }
 }
-
-/// Sends one list to each process, and returns the lists from them.
-template <typename Value>
-Status ExchangeLists(ProcessGroup& group, std::vector<std::vector<Value>>& lists)
-{
-  std::vector<Message> messages(lists.size());
-  for (std::size_t process = 0; process < lists.size(); ++process)
-  {
-    Append(messages[process], lists[process]);
-  }
-  DGG_RETURN_IF_ERROR(group.Exchange(messages, 0.0));
-  for (std::size_t process = 0; process < lists.size(); ++process)
-  {
-    lists[process] = MessageReader(messages[process]).Take<Value>();
-  }
-  return Status::Success();
-}
 }
 
 Status PieceSearch::Prepare(ProcessGroup& group, const SurfacePiece& piece, const GraphView& graph,
   const GhostVertices& ghosts, bool& isUsable)
 {
   *this = PieceSearch();
+  this->Process = group.Here;
   this->Graph = graph;
   this->Ghosts = ghosts;
   this->PointsHere = static_cast<Id>(piece.NumberOfPoints);
@@ -113,10 +98,11 @@ Status PieceSearch::FindReaders(ProcessGroup& group, const SurfacePiece& piece, 
     {
       this->Received[owner].push_back(v);
     }
-    isUsable = isUsable && (this->IsHere(v) || (owner >= 0 && owner < group.Count));
+    isUsable =
+      isUsable && (this->IsHere(v) ? v < this->PointsHere : owner >= 0 && owner < group.Count);
   }
   auto requested = ListValues(this->Received, [this](Id v) { return this->Ids[v]; });
-  DGG_RETURN_IF_ERROR(ExchangeLists(group, requested));
+  DGG_RETURN_IF_ERROR(group.ExchangeLists(requested));
   for (std::size_t process = 0; process < requested.size(); ++process)
   {
     for (const Offset id : requested[process])
@@ -152,7 +138,7 @@ Status PieceSearch::MeasureAngles(ProcessGroup& group, const SurfacePiece& piece
     }
   }
   auto sent = ListValues(this->Sent, [&](Id v) { return angles[v]; });
-  DGG_RETURN_IF_ERROR(ExchangeLists(group, sent));
+  DGG_RETURN_IF_ERROR(group.ExchangeLists(sent));
   for (std::size_t process = 0; process < sent.size(); ++process)
   {
     for (std::size_t k = 0; k < sent[process].size(); ++k)
@@ -218,7 +204,7 @@ Status PieceSearch::Run(ProcessGroup& group, const std::vector<PieceSeed>& seeds
   }
   DGG_RETURN_IF_ERROR(this->FindLabels(group, here, options));
   result.Labels.assign(this->Distances.begin(), this->Distances.begin() + this->PointsHere);
-  if (!options.Correct && !options.FindSources)
+  if (!options.NeedsTree())
   {
     return Status::Success();
   }
@@ -228,8 +214,7 @@ Status PieceSearch::Run(ProcessGroup& group, const std::vector<PieceSeed>& seeds
     smallestOffset = std::min(smallestOffset, LabelCorrection::OffsetOf(seed.Seed));
   }
   std::vector<Arrival> arrivals;
-  DGG_RETURN_IF_ERROR(this->FollowTree(group, here, smallestOffset,
-    ProgressPart(options.Progress, LabelShare, 1.0), arrivals, isUsable));
+  DGG_RETURN_IF_ERROR(this->FollowTree(group, here, smallestOffset, options, arrivals, isUsable));
   if (!isUsable)
   {
     return Status::Success();
@@ -244,6 +229,11 @@ Status PieceSearch::Run(ProcessGroup& group, const std::vector<PieceSeed>& seeds
     if (options.FindSources)
     {
       result.NearestSource.push_back(arrival.Source);
+    }
+    if (options.FindRelays)
+    {
+      result.Virtual.push_back(arrival.Estimate.Source);
+      result.Relays.push_back(arrival.Relay);
     }
   }
   return Status::Success();
@@ -290,9 +280,8 @@ Status PieceSearch::FindLabels(
 {
   SearchLabels labels(this->Distances, this->Origins, this->Touched, options.MaximumDistance);
   labels.Ids = this->Ids.data();
-  const bool isTreeFollowed = options.Correct || options.FindSources;
   const ProgressCallback searchProgress =
-    ProgressPart(options.Progress, 0.0, isTreeFollowed ? LabelShare : 1.0);
+    ProgressPart(options.Progress, 0.0, options.NeedsTree() ? LabelShare : 1.0);
   const ProgressCallback progress = [&](double) {
     return ShouldContinue(searchProgress,
       static_cast<double>(this->Touched.size()) / std::max<Id>(1, this->Graph.NumberOfVertices));
@@ -381,15 +370,18 @@ struct PieceSearch::Tree
   static constexpr int Listed = std::numeric_limits<int>::max();
   int Round = 0;
   std::vector<std::vector<Id>> Pending; // per process, indices into Sent that it waits for
+  bool HasRelays = false;               // messages contain relays
 };
 
 /// Computes the arrivals at the vertices of this process, and at the other points of the piece. The
 /// tree crosses pieces: arrivals are sent to the processes that need them as they become known.
 Status PieceSearch::FollowTree(ProcessGroup& group, const std::vector<GraphSeed>& seeds,
-  double smallestOffset, const ProgressCallback& progress, std::vector<Arrival>& arrivals,
+  double smallestOffset, const PieceSearchOptions& options, std::vector<Arrival>& arrivals,
   bool& isUsable)
 {
+  const ProgressCallback progress = ProgressPart(options.Progress, LabelShare, 1.0);
   Tree tree;
+  tree.HasRelays = options.FindRelays;
   arrivals.assign(static_cast<std::size_t>(this->Graph.NumberOfVertices), Arrival());
   DGG_RETURN_IF_ERROR(this->PrepareTree(group, tree, isUsable));
   if (!isUsable)
@@ -521,9 +513,13 @@ void PieceSearch::ReadArrivals(
 {
   for (std::size_t process = 0; process < messages.size(); ++process)
   {
-    for (const auto& value : MessageReader(messages[process]).Take<SharedValue<Arrival>>())
+    MessageReader reader(messages[process]);
+    const auto list = reader.Take<SharedValue<Estimated>>();
+    const auto relays = reader.Take<PieceRelay>();
+    for (std::size_t i = 0; i < list.size(); ++i)
     {
-      arrivals[this->Received[process][value.Index]] = value.Content;
+      arrivals[this->Received[process][list[i].Index]] = { list[i].Content,
+        relays.empty() ? PieceRelay() : relays[i] };
     }
   }
 }
@@ -546,14 +542,22 @@ void PieceSearch::Descend(const std::vector<GraphSeed>& seeds, double smallestOf
     if (step.Tail == NoId)
     {
       const GraphSeed& seed = seeds[this->Origins[step.Vertex].Tail];
-      arrivals[step.Vertex] = { LabelCorrection::EstimateOf(seed), seed.Source };
+      arrivals[step.Vertex] = { { LabelCorrection::EstimateOf(seed), seed.Source }, {} };
     }
     else
     {
       const Arrival& tail = arrivals[step.Tail];
-      arrivals[step.Vertex] = { this->Correction->Extend(step, this->Distances[step.Vertex],
-                                  tail.Estimate, smallestOffset),
-        tail.Source };
+      Arrival& arrival = arrivals[step.Vertex];
+      arrival = { { this->Correction->Extend(
+                      step, this->Distances[step.Vertex], tail.Estimate, smallestOffset),
+                    tail.Source },
+        tail.Relay };
+      if (!IsStraight(tail.Estimate.Source, arrival.Estimate.Source))
+      {
+        const Id owner = this->Ghosts.Owners[step.Tail];
+        arrival.Relay = { this->Ids[step.Tail],
+          owner == GhostVertices::Here ? this->Process : owner };
+      }
     }
   }
 }
@@ -607,12 +611,18 @@ void PieceSearch::CollectArrivals(
     std::vector<Id>& pending = tree.Pending[process];
     const auto left = std::partition(pending.begin(), pending.end(),
       [&](Id k) { return arrivals[this->Sent[process][k]].Source != NoId; });
-    std::vector<SharedValue<Arrival>> list;
+    std::vector<SharedValue<Estimated>> list;
+    std::vector<PieceRelay> relays;
     std::for_each(pending.begin(), left, [&](Id k) {
       list.push_back({ k, arrivals[this->Sent[process][k]] });
+      relays.push_back(arrivals[this->Sent[process][k]].Relay);
     });
     pending.erase(pending.begin(), left);
     AppendIfAny(messages[process], list);
+    if (tree.HasRelays)
+    {
+      AppendIfAny(messages[process], relays);
+    }
   }
 }
 }

@@ -29,6 +29,15 @@ struct PieceSeed
   GraphSeed Seed;
 };
 
+/// Relay of a vertex (IsStraight()), which any process may have.
+struct PieceRelay
+{
+  Offset PointId = NoId; ///< global
+  /// Process that the point belongs to; NoId if the virtual source of the vertex is a source of the
+  /// search.
+  Id Process = NoId;
+};
+
 /// Options of a search. They must be the same on all processes.
 struct PieceSearchOptions
 {
@@ -38,7 +47,11 @@ struct PieceSearchOptions
   bool Correct = false;
   /// If true, PieceDistances::NearestSource is filled.
   bool FindSources = false;
+  /// If true, PieceDistances::Virtual and PieceDistances::Relays are filled.
+  bool FindRelays = false;
   ProgressCallback Progress; ///< may be empty
+
+  bool NeedsTree() const { return this->Correct || this->FindSources || this->FindRelays; }
 };
 
 /// Results at the points of a piece.
@@ -47,6 +60,12 @@ struct PieceDistances
   std::vector<double> Labels;    ///< SearchResult::Distances
   std::vector<double> Corrected; ///< SearchResult::Corrected; empty unless requested
   std::vector<Id> NearestSource; ///< GraphSeed::Source, or NoId; empty unless requested
+  ///@{
+  /// SearchResult::Virtual, and the relays; unspecified at unreached points, empty unless
+  /// requested.
+  VirtualSources Virtual;
+  std::vector<PieceRelay> Relays;
+  ///@}
 };
 
 /// Searches shortest paths in a graph of which each process has the rows of its piece (PieceGraph).
@@ -87,10 +106,14 @@ public:
 
 private:
   /// Path to a vertex, and the resulting estimate.
-  struct Arrival
+  struct Estimated
   {
     LabelCorrection::Estimate Estimate;
     Id Source = NoId; ///< GraphSeed::Source; NoId until the arrival is known
+  };
+  struct Arrival : Estimated
+  {
+    PieceRelay Relay;
   };
   struct Tree;
 
@@ -106,7 +129,7 @@ private:
   void CollectLowered(std::vector<Message>& messages);
   std::vector<GraphSeed> ReadLowered(const std::vector<Message>& messages) const;
   Status FollowTree(ProcessGroup& group, const std::vector<GraphSeed>& seeds, double smallestOffset,
-    const ProgressCallback& progress, std::vector<Arrival>& arrivals, bool& isUsable);
+    const PieceSearchOptions& options, std::vector<Arrival>& arrivals, bool& isUsable);
   Status PrepareTree(ProcessGroup& group, Tree& tree, bool& isUsable);
   bool HasTailOf(Id v, std::size_t process) const;
   bool SetTail(Id v, Id tail);
@@ -117,6 +140,7 @@ private:
   void CollectArrivals(
     const std::vector<Arrival>& arrivals, Tree& tree, std::vector<Message>& messages) const;
 
+  int Process = 0; // this process
   GraphView Graph;
   GhostVertices Ghosts;
   std::vector<Offset> Ids; // global, per vertex
