@@ -19,12 +19,15 @@ namespace dgg
 {
 namespace
 {
-/// Adds marks of unreached points, unless all are reached or the value is unambiguous.
+/// Adds marks of unreached points, unless all points, also those of other pieces, are reached or
+/// the value is unambiguous.
 void AddMarks(const std::string& name, double unreachedValue, const std::vector<bool>& isReached,
-  OutputArrays& arrays)
+  bool areOthersUnreached, OutputArrays& arrays)
 {
   const bool isPlain = std::isnan(unreachedValue) || unreachedValue == Infinity;
-  if (!isPlain && std::find(isReached.begin(), isReached.end(), false) != isReached.end())
+  const bool isNeeded =
+    areOthersUnreached || std::find(isReached.begin(), isReached.end(), false) != isReached.end();
+  if (!isPlain && isNeeded)
   {
     std::transform(isReached.begin(), isReached.end(),
       arrays.Add<std::uint8_t>(GetUnreachedName(name), isReached.size()),
@@ -181,7 +184,7 @@ void WriteDistances(const PreparedSurface& surface, const DistanceResults& resul
   const double* const distances = writer.Add(names.Distance, 1, unreachedValue,
     [&](std::size_t i, std::size_t) { return results.Distances[i]; });
   output.PointScalars = names.Distance;
-  AddMarks(names.Distance, unreachedValue, isPointReached, arrays);
+  AddMarks(names.Distance, unreachedValue, isPointReached, results.AreOthersUnreached, arrays);
   if (request.WantNearestSource)
   {
     writer.Add<std::int32_t>(
@@ -200,7 +203,7 @@ void WriteDistances(const PreparedSurface& surface, const DistanceResults& resul
       [&](std::size_t i, std::size_t k) { return array.Components[k][i]; });
     if (array.Components.size() == 1) // can be read as distances
     {
-      AddMarks(array.Name, unreachedValue, isPointReached, arrays);
+      AddMarks(array.Name, unreachedValue, isPointReached, results.AreOthersUnreached, arrays);
     }
   }
   if (!results.Windows.IsEmpty())
@@ -225,6 +228,6 @@ void AddDistances(const std::string& name, const std::vector<double>& distances,
     [](double distance) { return distance < Infinity; });
   std::transform(distances.begin(), distances.end(), arrays.Add<double>(name, distances.size()),
     [=](double distance) { return distance < Infinity ? distance : unreachedValue; });
-  AddMarks(name, unreachedValue, isReached, arrays);
+  AddMarks(name, unreachedValue, isReached, false, arrays);
 }
 }

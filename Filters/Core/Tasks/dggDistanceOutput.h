@@ -48,6 +48,10 @@ struct DistanceResults
   std::vector<Id> Vertices; ///< each once; all other vertices are unreached
 
   std::string QualityWarning; ///< reasons why distances may be far off; empty without
+
+  /// True if points of other pieces of the surface are unreached. All pieces then have the same
+  /// arrays.
+  bool AreOthersUnreached = false;
 };
 
 /// Results, their sources and what is requested. Vertices farther than MaximumDistance may be left

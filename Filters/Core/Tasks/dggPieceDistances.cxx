@@ -82,6 +82,10 @@ Status FindPieceDistances(const TaskContext& context, ProcessGroup& group, Piece
   }
   const PreparedSurface none; // every point is a vertex
   output.IsReached = FindReached(none, results);
+  bool areAllReached =
+    std::find(output.IsReached.begin(), output.IsReached.end(), false) == output.IsReached.end();
+  DGG_RETURN_IF_ERROR(group.Require(areAllReached));
+  results.AreOthersUnreached = !areAllReached;
   WriteDistances(none, results, output.IsReached, request, output);
   return Status::Success();
 }
