@@ -12,6 +12,7 @@
 #include <algorithm> // for std::min
 #include <array>     // for corners
 #include <cmath>     // for std::atan2
+#include <cstdint>   // for sums
 
 namespace dgg
 {
@@ -42,6 +43,51 @@ Id FindEdge(const Surface& surface, Id h)
   ForEachTwin(surface, h, [&](Id e) { smallest = (std::min)(smallest, e); });
   return smallest;
 }
+
+/// Sum of lengths of edges that does not depend on their order: lengths are rounded to multiples of
+/// the last bit of the longest one.
+class LengthSum
+{
+public:
+  /// `longest` must be the same for sums that are added.
+  explicit LengthSum(double longest = 0.0)
+    : UnitsPerLength(longest > 0.0 ? std::exp2(51 - std::ilogb(longest)) : 0.0)
+  {
+  }
+
+  /// Adds a length if it counts.
+  void Add(double length, bool counts = true)
+  {
+    const auto units =
+      counts ? static_cast<std::int64_t>(length * this->UnitsPerLength + 0.5) : std::int64_t(0);
+    this->High += units >> LowBits;
+    this->Low += units & ((std::int64_t(1) << LowBits) - 1);
+    this->Count += counts ? 1 : 0;
+  }
+  void Add(const LengthSum& other)
+  {
+    this->High += other.High;
+    this->Low += other.Low;
+    this->Count += other.Count;
+  }
+  /// Returns the mean; 0 without edges.
+  double GetMean() const
+  {
+    const double units =
+      std::ldexp(static_cast<double>(this->High), LowBits) + static_cast<double>(this->Low);
+    return this->Count > 0 && this->UnitsPerLength > 0.0
+      ? units / this->UnitsPerLength / static_cast<double>(this->Count)
+      : 0.0;
+  }
+
+private:
+  static constexpr int LowBits = 26;
+
+  double UnitsPerLength;
+  std::int64_t High = 0;
+  std::int64_t Low = 0;
+  Offset Count = 0;
+};
 
 /// Calls `visit(e, isMirrored)` for the half-edges through which the faces behind half-edge `exit`
 /// are entered. All faces are laid out in one plane. A face is mirrored if its orientation differs

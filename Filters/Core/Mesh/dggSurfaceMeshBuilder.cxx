@@ -494,8 +494,7 @@ void SurfaceMeshBuilder::TakeOrigin(const PartOfMesh& origin)
 void SurfaceMeshBuilder::MeasureMeanEdge()
 {
   SurfaceMesh& mesh = this->Mesh;
-  double sum = 0.0;
-  Offset edges = 0;
+  LengthSum sum(mesh.MaximumEdgeLength);
   for (Id f = 0; f < mesh.GetNumberOfFaces(); ++f)
   {
     if (mesh.IsDropped(f))
@@ -509,11 +508,10 @@ void SurfaceMeshBuilder::MeasureMeanEdge()
       const bool counts = this->AreAllLinked
         ? static_cast<std::uint32_t>(mesh.Twin(h)) > static_cast<std::uint32_t>(h)
         : FindEdge(mesh, h) == h;
-      sum += counts ? mesh.Lengths[h] : 0.0;
-      edges += counts ? 1 : 0;
+      sum.Add(mesh.Lengths[h], counts);
     }
   }
-  mesh.MeanEdgeLength = edges > 0 ? sum / static_cast<double>(edges) : 0.0;
+  mesh.MeanEdgeLength = sum.GetMean();
 }
 
 /// Returns the largest violation of the triangle inequality over the corners of a face; 0 if there
