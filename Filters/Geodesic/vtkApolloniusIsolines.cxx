@@ -5,10 +5,12 @@
 #include "DGGContext.h"
 #include "DGGFieldInput.h"
 #include "DGGFilterInternals.h"
+#include "DGGPieceField.h"
 
 #include "dggFieldReader.h"
 #include "dggIsolineTask.h"
 #include "dggOutput.h"
+#include "dggProcessGroup.h"
 #include "dggProgressPart.h"
 #include "dggStatus.h"
 
@@ -18,8 +20,10 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <string>
+#include <vector>
 
 vtkStandardNewMacro(vtkApolloniusIsolines);
 
@@ -39,6 +43,13 @@ public:
   void ForgetResults() override;
   dgg::Status Execute(const DGGContext& context, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
+  bool CanDistribute() const override
+  {
+    return this->Self->Method != Apollonius && !this->Self->GenerateRidges &&
+      !this->Self->GenerateBands;
+  }
+  dgg::Status ExecutePiece(
+    const DGGContext& context, const DGGPieceUpdate& update, bool& isDone) override;
   void MakeEmptyOutput(const DGGContext& context, vtkInformationVector* outputVector) override;
   std::string GetMemoryRemedy() const override
   {
@@ -50,9 +61,10 @@ private:
   void WarnAboutNoLine(const std::string& warning);
   dgg::Status FillOutputs(const DGGContext& context, const std::vector<double>& values,
     const dgg::IsolineResult& result, const std::string& distances,
-    vtkInformationVector* outputVector);
+    vtkInformationVector* outputVector, const dgg::PieceSurface* piece = nullptr);
 
   bool WasEmpty = false; // true if the last update had no line and no other output
+  DGGPieceField PieceField;
 };
 
 //------------------------------------------------------------------------------
@@ -201,12 +213,68 @@ dgg::Status vtkApolloniusIsolines::vtkInternals::Execute(const DGGContext& conte
   const dgg::DistanceField& field = reader.GetField();
   DGG_RETURN_IF_ERROR(dgg::FindIsolines(
     context, field, options, dgg::ProgressPart(context.Progress, ReadingShare, 1.0), result));
-  this->WarnAboutNoLine(dgg::DescribeMissingLines(options, reader, result));
+  this->WarnAboutNoLine(
+    dgg::DescribeMissingLines(options, reader.FindRange(), !result.Lines.Lines.empty()));
   this->Self->UsedWindows = field.HasWindows();
   this->Self->UsedVirtualSources = field.HasSources();
   this->Self->NumberOfFallbacks = result.Lines.Fallbacks + result.Ridges.Fallbacks;
   return this->FillOutputs(
     context, options.Values, result, DGGGetDistanceName(distances), outputVector);
+}
+
+//------------------------------------------------------------------------------
+dgg::Status vtkApolloniusIsolines::vtkInternals::ExecutePiece(
+  const DGGContext& context, const DGGPieceUpdate& update, bool& isDone)
+{
+  dgg::ProcessGroup& group = update.Group;
+  struct
+  {
+    double ChordTolerance;
+    double UnreachedValue;
+    bool IsLinear;
+  } first{ this->Self->ChordTolerance, this->Self->UnreachedValue, this->Self->Method == Linear };
+  dgg::IsolineTaskOptions options = this->MakeOptions();
+  DGG_RETURN_IF_ERROR(group.TakeFromFirst(first));
+  DGG_RETURN_IF_ERROR(group.TakeListFromFirst(options.Values));
+  DGG_RETURN_IF_ERROR(this->PieceField.Update(context, update, this->Self->Information,
+    { this->Self->DistanceArrayName, this->Self->VirtualSourceArrayName, first.IsLinear,
+      first.UnreachedValue },
+    isDone));
+  if (!isDone)
+  {
+    return dgg::Status::Success();
+  }
+  options.ChordTolerance = first.ChordTolerance;
+  options.MeanEdgeLength = this->PieceField.GetSurface().GetMeanEdgeLength();
+  const DGGContext onPiece = this->PieceField.MakeContext(context);
+  const dgg::DistanceField field = this->PieceField.GetField();
+  dgg::IsolineResult result;
+  DGG_RETURN_IF_ERROR(dgg::FindIsolines(
+    onPiece, field, options, dgg::ProgressPart(context.Progress, ReadingShare, 1.0), result));
+  struct Summary
+  {
+    std::array<double, 2> Range;
+    bool HasLines;
+  };
+  std::vector<Summary> pieces;
+  DGG_RETURN_IF_ERROR(group.Share(
+    Summary{ this->PieceField.GetReader().FindRange(), !result.Lines.Lines.empty() }, pieces));
+  Summary all = pieces.front();
+  for (const Summary& piece : pieces)
+  {
+    all.Range = { { std::min(all.Range[0], piece.Range[0]),
+      std::max(all.Range[1], piece.Range[1]) } };
+    all.HasLines = all.HasLines || piece.HasLines;
+  }
+  const std::string warning = dgg::DescribeMissingLines(options, all.Range, all.HasLines);
+  if (group.Here == 0)
+  {
+    this->WarnAboutNoLine(warning);
+  }
+  this->Self->UsedVirtualSources = !first.IsLinear;
+  this->Self->NumberOfFallbacks = result.Lines.Fallbacks;
+  return this->FillOutputs(onPiece, options.Values, result, this->PieceField.GetName(),
+    update.Outputs, &this->PieceField.GetSurface());
 }
 
 //------------------------------------------------------------------------------
@@ -228,14 +296,19 @@ dgg::IsolineTaskOptions vtkApolloniusIsolines::vtkInternals::MakeOptions() const
 }
 
 //------------------------------------------------------------------------------
+/// Writes the outputs. `piece` is null if the surface of the context is the input.
 dgg::Status vtkApolloniusIsolines::vtkInternals::FillOutputs(const DGGContext& context,
   const std::vector<double>& values, const dgg::IsolineResult& result, const std::string& distances,
-  vtkInformationVector* outputVector)
+  vtkInformationVector* outputVector, const dgg::PieceSurface* piece)
 {
   dgg::Output outputs[3];
   dgg::WriteIsolines(context, result, values, distances, outputs);
   for (int port = 0; port < 3; ++port)
   {
+    if (piece)
+    {
+      piece->Renumber(outputs[port]);
+    }
     DGG_RETURN_IF_ERROR(this->FillOutput(context, outputs[port], outputVector, port));
   }
   return dgg::Status::Success();

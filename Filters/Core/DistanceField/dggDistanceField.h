@@ -9,6 +9,8 @@
 #include "dggSurfaceMesh.h"    // for SurfaceMesh
 #include "dggVirtualSources.h" // for VirtualSources
 
+#include <cstdint> // for flags
+
 namespace dgg
 {
 /// Data from which the distance inside faces is computed. Does not own its arrays.
@@ -37,6 +39,8 @@ struct DistanceField
   const VirtualSources* Sources = nullptr; ///< may be null or empty; used when there are no windows
   /// Per vertex, the index of the nearest source; only needed for FieldSample::Source.
   const Id* NearestSource = nullptr;
+  /// Per face, 1 if another process traces lines in the face. May be null.
+  const std::uint8_t* IsGhost = nullptr;
 
   bool HasWindows() const { return this->Windows && !this->Windows->IsEmpty(); }
   bool HasSources() const
@@ -49,6 +53,11 @@ struct DistanceField
     return !this->Mesh->IsDropped(f) && this->Distances[this->Mesh->Origin(3 * f)] < Infinity &&
       this->Distances[this->Mesh->Origin(3 * f + 1)] < Infinity &&
       this->Distances[this->Mesh->Origin(3 * f + 2)] < Infinity;
+  }
+  /// Returns true if lines are traced in the face.
+  bool IsTraced(Id f) const
+  {
+    return this->IsReached(f) && !(this->IsGhost && this->IsGhost[f] != 0);
   }
 };
 

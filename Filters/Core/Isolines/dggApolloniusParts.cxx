@@ -599,7 +599,7 @@ Status FindApolloniusParts(const DistanceField& field, int steinerPoints,
     *field.Mesh, BlockSize, parallel, progress, begin, EdgesDone,
     [&] { return HermiteEdge(used, steinerPoints); },
     [&](HermiteEdge& edge, Id h, std::vector<LevelCrossing>& found) {
-      if (IsEdgeReached(used, h))
+      if (IsEdgeTraced(used, h))
       {
         edge.Enter(h);
         CrossEdge(edge, levels, found);

@@ -100,12 +100,12 @@ SurfacePath Draw(const SurfaceMesh& mesh, const std::vector<LevelCrossing>& cros
 }
 }
 
-bool IsEdgeReached(const DistanceField& field, Id h)
+bool IsEdgeTraced(const DistanceField& field, Id h)
 {
-  bool isReached = false;
+  bool isTraced = false;
   ForEachHalfEdge(
-    *field.Mesh, h, [&](Id e) { isReached = isReached || field.IsReached(SurfaceMesh::Face(e)); });
-  return isReached;
+    *field.Mesh, h, [&](Id e) { isTraced = isTraced || field.IsTraced(SurfaceMesh::Face(e)); });
+  return isTraced;
 }
 
 Status JoinFaceCurves(const SurfaceMesh& mesh, const std::vector<LevelCrossing>& crossings,

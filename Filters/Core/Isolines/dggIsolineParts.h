@@ -50,8 +50,8 @@ struct FaceCurve
   std::vector<std::array<double, 3>> Points;
 };
 
-/// Returns true if a face of the edge of a half-edge is reached.
-bool IsEdgeReached(const DistanceField& field, Id h);
+/// Returns true if lines are traced in a face of the edge of a half-edge.
+bool IsEdgeTraced(const DistanceField& field, Id h);
 
 /// Runs `work(worker, index, pieces)` for all indices, in blocks, and joins the pieces in order.
 template <typename Piece, typename MakeWorker, typename Work>

@@ -42,7 +42,7 @@ void CrossEdge(const DistanceField& field, const std::vector<double>& levels, Id
   const double lowest = isLinear ? std::min(a, b) : std::min({ a, b, 0.5 * (a + b - length) });
   const double highest = isLinear ? std::max(a, b) : std::max({ a, b, 0.5 * (a + b + length) });
   auto level = std::lower_bound(levels.begin(), levels.end(), lowest);
-  if (level == levels.end() || *level > highest || !IsEdgeReached(field, h))
+  if (level == levels.end() || *level > highest || !IsEdgeTraced(field, h))
   {
     return;
   }
@@ -77,7 +77,7 @@ Status FindLocalParts(const DistanceField& field, const std::vector<double>& lev
     field.Mesh->GetNumberOfFaces(), FacesInBlock, parallel, progress, CrossingsDone, FacesDone,
     [&] { return FaceIsolines(field, levels, tolerance, crossings); },
     [&](FaceIsolines& isolines, Id f, std::vector<FaceCurve>& found) {
-      if (field.IsReached(f))
+      if (field.IsTraced(f))
       {
         count += isolines.Trace(f, found);
       }

@@ -68,6 +68,11 @@ struct DGG_CORE_EXPORT MeanAnisotropy
   double Area = 0.0;
 
   void Add(const SurfaceMesh& mesh, Id f);
+  void Add(const MeanAnisotropy& piece)
+  {
+    this->Weighted += piece.Weighted;
+    this->Area += piece.Area;
+  }
   /// Returns the mean; 1 for equilateral triangles, 0 if all faces are degenerate.
   double Get() const { return this->Area > 0.0 ? this->Weighted / this->Area : 0.0; }
 };

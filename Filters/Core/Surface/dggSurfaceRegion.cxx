@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numeric>
 #include <tuple>
 #include <utility>
@@ -443,6 +444,37 @@ std::vector<Id> SurfaceRegion::GetOrder() const
   std::sort(order.begin(), order.end(),
     [this](Id a, Id b) { return this->PointIds[a] < this->PointIds[b]; });
   return order;
+}
+
+RegionPolygons SurfaceRegion::MakePolygons() const
+{
+  RegionPolygons polygons;
+  polygons.Points = this->GetOrder();
+  const std::vector<Id>& order = polygons.Points;
+  std::vector<Offset> rank(order.size());
+  for (std::size_t i = 0; i < order.size(); ++i)
+  {
+    rank[order[i]] = static_cast<Offset>(i);
+    const auto at = this->Positions.begin() + 3 * static_cast<Offset>(order[i]);
+    polygons.Positions.insert(polygons.Positions.end(), at, at + 3);
+  }
+  std::vector<std::size_t> cells(this->Cells.size());
+  std::iota(cells.begin(), cells.end(), 0);
+  std::sort(cells.begin(), cells.end(), [this](std::size_t a, std::size_t b) {
+    return this->Cells[a].GlobalId < this->Cells[b].GlobalId;
+  });
+  polygons.Offsets.push_back(0);
+  for (const std::size_t c : cells)
+  {
+    const Cell& cell = this->Cells[c];
+    std::transform(this->Corners.begin() + static_cast<Offset>(cell.Begin),
+      this->Corners.begin() + static_cast<Offset>(cell.Begin + cell.Size),
+      std::back_inserter(polygons.Corners), [&](Id corner) { return rank[corner]; });
+    polygons.Offsets.push_back(static_cast<Offset>(polygons.Corners.size()));
+    polygons.CellIds.push_back(cell.GlobalId);
+    polygons.IsGhost.push_back(c < this->NumberOfOwnCells ? 0 : 1);
+  }
+  return polygons;
 }
 
 Status SurfaceFacts::Share(ProcessGroup& group)

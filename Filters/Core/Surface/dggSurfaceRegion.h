@@ -47,6 +47,17 @@ struct RegionMesh
   Offset Fans = 0;                 ///< of the piece
 };
 
+/// Polygons of a region, in the order of global ids. Points are those of the mesh of the region.
+struct RegionPolygons
+{
+  std::vector<Id> Points;        ///< of the region, per point
+  std::vector<double> Positions; ///< x y z per point
+  std::vector<Offset> Offsets;
+  std::vector<Offset> Corners;
+  std::vector<Offset> CellIds;       ///< global
+  std::vector<std::uint8_t> IsGhost; ///< per polygon, 1 for those of other pieces
+};
+
 /// The piece of a surface that this process has, and cells of other processes around it. A point
 /// that several pieces use belongs to one of their processes, which its id selects, so that the
 /// points of interlaced pieces are distributed evenly.
@@ -67,6 +78,8 @@ public:
   /// Returns the facts of the mesh of the region, with the number of faces of the piece and the
   /// defects at points that belong to this process.
   SurfaceFacts MeasureFacts(const RegionMesh& region) const;
+
+  RegionPolygons MakePolygons() const;
 
   /// Returns the size in bytes.
   double GetMemorySize() const;

@@ -190,7 +190,8 @@ Status FindIsolines(const TaskContext& context, const DistanceField& field,
   const IsolineTaskOptions& options, const ProgressCallback& progress, IsolineResult& result)
 {
   IsolineOptions lines;
-  lines.ChordTolerance = options.ChordTolerance * field.Mesh->GetMeanEdgeLength();
+  lines.ChordTolerance = options.ChordTolerance *
+    (options.MeanEdgeLength > 0.0 ? options.MeanEdgeLength : field.Mesh->GetMeanEdgeLength());
   lines.SteinerPoints = options.SteinerPoints;
   const bool isKnown = field.HasWindows() || field.HasSources();
   lines.Method = isKnown ? options.Method : IsolineMethod::LocalSources;
@@ -230,13 +231,13 @@ std::string DescribeRidges(const IsolineTaskOptions& options, const FieldReader&
 
 //------------------------------------------------------------------------------
 std::string DescribeMissingLines(
-  const IsolineTaskOptions& options, const FieldReader& reader, const IsolineResult& result)
+  const IsolineTaskOptions& options, const std::array<double, 2>& range, bool hasLines)
 {
-  if (!result.Lines.Lines.empty() || options.WithRidges || options.WithBands)
+  if (hasLines || options.WithRidges || options.WithBands)
   {
     return {};
   }
-  const auto [smallest, largest] = reader.FindRange();
+  const auto [smallest, largest] = range;
   return smallest > largest // no point is reached
     ? std::string()
     : JoinText("There are no isolines: the distances of the points are from ", smallest, " to ",

@@ -11,6 +11,7 @@
 #include "dggIsolines.h"      // for Isolines
 #include "dggRidges.h"        // for Ridges
 
+#include <array>  // for ranges
 #include <string> // for names
 #include <vector> // for values
 
@@ -27,6 +28,7 @@ struct DGG_CORE_EXPORT IsolineTaskOptions
 
   std::vector<double> Values;   ///< distances of the lines
   double ChordTolerance = 1e-3; ///< largest distance from the level set / mean edge length
+  double MeanEdgeLength = 0.0;  ///< of the surface; 0 for that of the mesh of the field
   /// Apollonius needs windows or virtual sources; other fields are linear in each triangle.
   IsolineMethod Method = IsolineMethod::LocalSources;
   int SteinerPoints = 2; ///< see IsolineOptions
@@ -49,11 +51,12 @@ DGG_CORE_EXPORT Status FindIsolines(const TaskContext& context, const DistanceFi
 
 ///@{
 /// Returns a warning about ridges that are missing or unreliable, or if only lines are requested
-/// and there are none although points are reached; otherwise an empty text.
+/// and there are none although points are reached; otherwise an empty text. `range` is that of the
+/// distances (FieldReader::FindRange()).
 DGG_CORE_EXPORT std::string DescribeRidges(
   const IsolineTaskOptions& options, const FieldReader& reader);
 DGG_CORE_EXPORT std::string DescribeMissingLines(
-  const IsolineTaskOptions& options, const FieldReader& reader, const IsolineResult& result);
+  const IsolineTaskOptions& options, const std::array<double, 2>& range, bool hasLines);
 ///@}
 
 /// Writes lines with the cell array `IsoValue`; ridges with the cell array `RidgeAngle`, degrees;

@@ -15,9 +15,6 @@ namespace dgg
 {
 namespace
 {
-/// Bound of the relative rounding error of sums over all triangles.
-constexpr double SumMargin = 1e-6;
-
 /// Bytes of a point of the region: its position, rank, estimates, relay and lengths.
 constexpr double BytesOfPoint = 160.0;
 
@@ -87,11 +84,10 @@ Status PieceVirtualSources::CheckTriangles(
   for (const PieceTriangles& piece : pieces)
   {
     all.Reached.Add(piece.Reached);
-    all.Anisotropy.Weighted += piece.Anisotropy.Weighted;
-    all.Anisotropy.Area += piece.Anisotropy.Area;
+    all.Anisotropy.Add(piece.Anisotropy);
   }
   areFine = !all.Reached.AreCoarse(accuracy, (1.0 + SumMargin) * ErrorInsideTriangles) &&
-    all.Anisotropy.Get() < (1.0 - SumMargin) * LargestAnisotropy;
+    !MayHaveLongTriangles(all.Anisotropy);
   return Status::Success();
 }
 

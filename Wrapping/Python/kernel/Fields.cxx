@@ -217,7 +217,8 @@ py::object FindIsolines(
     dgg::WriteIsolines(context, result, options.Values, field.GetName(), outputs);
     AddWarnings(reader, outputs[0]);
     outputs[0].Warn(dgg::DescribeRidges(options, reader));
-    outputs[0].Warn(dgg::DescribeMissingLines(options, reader, result));
+    outputs[0].Warn(
+      dgg::DescribeMissingLines(options, reader.FindRange(), !result.Lines.Lines.empty()));
     usedWindows = reader.GetField().HasWindows();
     usedVirtualSources = reader.GetField().HasSources();
     fallbacks = result.Lines.Fallbacks + result.Ridges.Fallbacks;

@@ -1,0 +1,217 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "dggPieceSurface.h"
+
+#include "dggCellCoordinates.h"
+#include "dggEdges.h"
+#include "dggMeshQuality.h"
+#include "dggOutput.h"
+#include "dggTaskContext.h"
+
+#include <algorithm>
+#include <limits>
+#include <memory>
+#include <string>
+#include <variant>
+
+namespace dgg
+{
+namespace
+{
+constexpr int Layers = 2;
+/// Bytes of a point: its corners in polygons, its positions in input and output, and its values.
+constexpr double BytesOfPoint = 256.0;
+
+/// Range of the global ids of a piece.
+struct IdRange
+{
+  Offset First = std::numeric_limits<Offset>::max();
+  Offset Last = std::numeric_limits<Offset>::min();
+  Offset Count = 0;
+
+  void Add(Offset id)
+  {
+    this->First = std::min(this->First, id);
+    this->Last = std::max(this->Last, id);
+    ++this->Count;
+  }
+  void Add(const IdRange& other)
+  {
+    this->First = std::min(this->First, other.First);
+    this->Last = std::max(this->Last, other.Last);
+    this->Count += other.Count;
+  }
+  bool IsConsecutive() const
+  {
+    return this->Count > 0 && this->Last - this->First + 1 == this->Count;
+  }
+};
+
+/// Properties of the faces of a piece.
+struct PieceFaces
+{
+  LengthSum Edges;
+  MeanAnisotropy Anisotropy;
+};
+
+/// Numbers of points and cells of a piece.
+struct PieceNumbers
+{
+  IdRange Points; // that belong to the process
+  IdRange Cells;
+  bool AreTriangles = true;
+};
+
+/// Replaces the ids in an array by `idOf(id)`; NoId is kept.
+template <typename IdOf>
+void Replace(OutputArrays& arrays, const std::string& name, const IdOf& idOf)
+{
+  for (OutputArray& array : arrays)
+  {
+    if (array.Name == name)
+    {
+      auto& ids = std::get<Buffer<Offset>>(array.Values);
+      std::transform(ids.begin(), ids.end(), ids.begin(),
+        [&](Offset id) { return id == NoId ? NoId : idOf(id); });
+    }
+  }
+}
+}
+
+Status PieceSurface::Prepare(ProcessGroup& group, const SurfacePiece& piece, bool& isUsable)
+{
+  DGG_RETURN_IF_ERROR(this->Region.Start(group, piece, isUsable));
+  if (!isUsable)
+  {
+    return Status::Success();
+  }
+  DGG_RETURN_IF_ERROR(this->Region.Grow(group, Layers, true, 0.0));
+  DGG_RETURN_IF_ERROR(this->CheckFaces(group, isUsable));
+  if (!isUsable)
+  {
+    return Status::Success();
+  }
+  this->Polygons = this->Region.MakePolygons();
+  this->Arrays.Points = this->Polygons.Positions.data();
+  this->Arrays.NumberOfPoints = static_cast<Offset>(this->Polygons.Points.size());
+  this->Arrays.Polygons = { static_cast<Offset>(this->Polygons.CellIds.size()),
+    this->Polygons.Offsets.data(), this->Polygons.Corners.data(),
+    static_cast<Offset>(this->Polygons.Corners.size()) };
+  DGG_RETURN_IF_ERROR(this->CheckIds(group, piece, isUsable));
+  this->Surface = std::make_shared<const PreparedSurface>();
+  this->IsGhost.clear();
+  if (isUsable && !this->Polygons.CellIds.empty())
+  {
+    DGG_RETURN_IF_ERROR(PreparedSurface::Make(this->Arrays, Domain(),
+      PreparedSurface::ComputeFingerprint(this->Arrays, Domain()), this->Surface));
+    const Id faces = this->Surface->GetMeshWithoutAngles().GetNumberOfFaces();
+    for (Id f = 0; f < faces; ++f)
+    {
+      this->IsGhost.push_back(this->Polygons.IsGhost[this->Surface->GetCell(f)]);
+    }
+  }
+  return Status::Success();
+}
+
+/// Checks the faces of all pieces, and measures the mean edge length.
+Status PieceSurface::CheckFaces(ProcessGroup& group, bool& isUsable)
+{
+  RegionMesh region;
+  this->Region.MakeMesh(region);
+  SurfaceFacts facts = this->Region.MeasureFacts(region);
+  const SurfaceMesh& mesh = region.Mesh;
+  DGG_RETURN_IF_ERROR(facts.Share(group));
+  PieceFaces all{ LengthSum(facts.LongestEdge), {} };
+  PieceFaces here = all;
+  for (Id f = 0; f < mesh.GetNumberOfFaces(); ++f)
+  {
+    if (region.CellIds[f] != NoId && !mesh.IsDropped(f))
+    {
+      here.Anisotropy.Add(mesh, f);
+      for (Id h = 3 * f; h < 3 * f + 3; ++h)
+      {
+        here.Edges.Add(mesh.Length(h), FindEdge(mesh, h) == h);
+      }
+    }
+  }
+  std::vector<PieceFaces> pieces;
+  DGG_RETURN_IF_ERROR(group.Share(here, pieces));
+  for (const PieceFaces& piece : pieces)
+  {
+    all.Edges.Add(piece.Edges);
+    all.Anisotropy.Add(piece.Anisotropy);
+  }
+  this->MeanEdgeLength = all.Edges.GetMean();
+  isUsable =
+    facts.IsRegular && facts.Defects.NonManifoldEdges == 0 && !MayHaveLongTriangles(all.Anisotropy);
+  return Status::Success();
+}
+
+/// Checks that ids number the points and cells of all pieces.
+Status PieceSurface::CheckIds(ProcessGroup& group, const SurfacePiece& piece, bool& isUsable)
+{
+  PieceNumbers here;
+  here.AreTriangles = CellCoordinates::AreAllTriangles(this->Arrays);
+  for (Id point = 0; point < this->Region.GetNumberOfPoints(); ++point)
+  {
+    if (this->Region.GetOwner(point) == group.Here)
+    {
+      here.Points.Add(this->Region.GetPointId(point));
+    }
+  }
+  for (std::size_t i = 0; i < this->Polygons.CellIds.size(); ++i)
+  {
+    if (this->Polygons.IsGhost[i] == 0)
+    {
+      here.Cells.Add(this->Polygons.CellIds[i]);
+    }
+  }
+  std::vector<PieceNumbers> pieces;
+  DGG_RETURN_IF_ERROR(group.Share(here, pieces));
+  PieceNumbers all;
+  for (const PieceNumbers& numbers : pieces)
+  {
+    all.Points.Add(numbers.Points);
+    all.Cells.Add(numbers.Cells);
+    all.AreTriangles = all.AreTriangles && numbers.AreTriangles;
+  }
+  this->FirstPoint = all.Points.First;
+  this->FirstCell = all.Cells.First;
+  isUsable = all.Points.IsConsecutive() && all.Cells.IsConsecutive() &&
+    here.AreTriangles == all.AreTriangles && here.Cells.Count == piece.GetNumberOfCells();
+  return group.Require(isUsable);
+}
+
+TaskContext PieceSurface::MakeContext(const TaskContext& context) const
+{
+  return { *this->Surface, context.Memory, context.NumberOfThreads, context.Progress,
+    context.Parallel, [this]() -> const SurfaceArrays& { return this->Arrays; } };
+}
+
+Status PieceSurface::Extend(ProcessGroup& group, int components, std::vector<double>& values) const
+{
+  const double inUse = static_cast<double>(this->Surface->GetMeshWithoutAngles().GetMemorySize()) +
+    BytesOfPoint * static_cast<double>(this->Polygons.Points.size());
+  const auto size = static_cast<std::size_t>(components);
+  values.resize(size * this->Polygons.Points.size());
+  DGG_RETURN_IF_ERROR(this->Region.TakeFromOwners(group, components, values, inUse));
+  std::vector<double> sorted;
+  sorted.reserve(values.size());
+  for (const Id point : this->Polygons.Points)
+  {
+    const auto at = values.begin() + components * static_cast<Offset>(point);
+    sorted.insert(sorted.end(), at, at + components);
+  }
+  values.swap(sorted);
+  return Status::Success();
+}
+
+void PieceSurface::Renumber(Output& output) const
+{
+  Replace(output.PointData, "vtkOriginalPointIds", [this](Offset point) {
+    return this->Region.GetPointId(this->Polygons.Points[point]) - this->FirstPoint;
+  });
+  Replace(output.PointData, "FaceId",
+    [this](Offset cell) { return this->Polygons.CellIds[cell] - this->FirstCell; });
+}
+}

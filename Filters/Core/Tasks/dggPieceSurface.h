@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// A piece of a surface as the surface of tasks. Internal.
+#ifndef dggPieceSurface_h
+#define dggPieceSurface_h
+
+#include "dggCoreExport.h"      // for DGG_CORE_EXPORT
+#include "dggPreparedSurface.h" // for the surface
+#include "dggProcessGroup.h"    // for messages
+#include "dggSurfaceRegion.h"   // for the region
+
+#include <cstdint> // for flags
+#include <vector>  // for values
+
+namespace dgg
+{
+struct Output;
+struct TaskContext;
+
+/// The piece of this process, with layers of cells of other processes around it, as an input of
+/// tasks that compute in each cell. Points and cells are numbered in the order of global ids. All
+/// functions with a group must be called by all processes.
+class DGG_CORE_EXPORT PieceSurface
+{
+public:
+  /// Prepares the surface, with two layers of cells: the cells at the corners of the faces of the
+  /// edges of the piece. `isUsable` becomes false on all processes if the pieces must be gathered:
+  /// for the reasons of BuildPieceGraph(), on long triangles, if an edge has more than two
+  /// faces, if ids are not consecutive, and if there are other cells than polygons.
+  Status Prepare(ProcessGroup& group, const SurfacePiece& piece, bool& isUsable);
+
+  const PreparedSurface& Get() const { return *this->Surface; }
+  Offset GetNumberOfPoints() const { return this->Arrays.NumberOfPoints; }
+  const double* GetPosition(Offset point) const { return this->Arrays.Points + 3 * point; }
+  /// Returns the context of a task on this surface, which must outlive the context.
+  TaskContext MakeContext(const TaskContext& context) const;
+  /// Returns 1 per face that belongs to another piece, otherwise 0.
+  const std::vector<std::uint8_t>& GetGhosts() const { return this->IsGhost; }
+  /// Returns the mean edge length of the entire surface.
+  double GetMeanEdgeLength() const { return this->MeanEdgeLength; }
+
+  /// Replaces the values of points of the piece, `components` each, by those of all points of the
+  /// surface.
+  Status Extend(ProcessGroup& group, int components, std::vector<double>& values) const;
+  /// Replaces the points and cells in the arrays `vtkOriginalPointIds` and `FaceId` of an output by
+  /// their numbers on the entire surface.
+  void Renumber(Output& output) const;
+
+private:
+  Status CheckFaces(ProcessGroup& group, bool& isUsable);
+  Status CheckIds(ProcessGroup& group, const SurfacePiece& piece, bool& isUsable);
+
+  SurfaceRegion Region;
+  RegionPolygons Polygons;
+  SurfaceArrays Arrays; // of Polygons
+  PreparedSurface::Pointer Surface;
+  std::vector<std::uint8_t> IsGhost;
+  double MeanEdgeLength = 0.0;
+  Offset FirstPoint = 0; // smallest global ids
+  Offset FirstCell = 0;
+};
+}
+
+#endif

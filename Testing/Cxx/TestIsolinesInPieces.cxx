@@ -1,0 +1,184 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Isolines that several processes trace together. Run under mpiexec; a single process is valid,
+/// too.
+#include "PieceGraphFixture.h"
+
+#include "vtkApolloniusIsolines.h"
+#include "vtkDGGDistance.h"
+
+using namespace dggtest;
+
+namespace
+{
+using Numbers = std::vector<double>;
+
+/// Returns the coordinates of a point of an output.
+Numbers GetPoint(vtkPolyData* output, vtkIdType id)
+{
+  const double* const p = output->GetPoint(id);
+  return { p[0], p[1], p[2] };
+}
+
+/// Calls `visit(line, points)` for the lines of an output.
+template <typename Visitor>
+void ForEachLine(vtkPolyData* output, const Visitor& visit)
+{
+  vtkNew<vtkIdList> points;
+  for (vtkIdType line = 0; line < output->GetNumberOfLines(); ++line)
+  {
+    output->GetLines()->GetCellAtId(line, points);
+    visit(line, points.Get());
+  }
+}
+
+/// Returns the segments of lines, each with its value and the coordinates of its ends.
+std::multiset<Numbers> GetSegments(vtkPolyData* output)
+{
+  std::multiset<Numbers> segments;
+  ForEachLine(output, [&](vtkIdType line, vtkIdList* points) {
+    for (vtkIdType k = 0; k + 1 < points->GetNumberOfIds(); ++k)
+    {
+      auto [p, q] =
+        std::minmax({ GetPoint(output, points->GetId(k)), GetPoint(output, points->GetId(k + 1)) });
+      p.insert(p.end(), q.begin(), q.end());
+      p.push_back(output->GetCellData()->GetArray("IsoValue")->GetComponent(line, 0));
+      segments.insert(p);
+    }
+  });
+  return segments;
+}
+
+/// Returns the points of lines except the ends of open ones, each with the cell and the point of
+/// the input and the coordinates in the cell.
+std::set<Numbers> GetInnerPoints(vtkPolyData* output)
+{
+  std::set<Numbers> inner;
+  ForEachLine(output, [&](vtkIdType, vtkIdList* points) {
+    const vtkIdType size = points->GetNumberOfIds();
+    const bool isClosed = points->GetId(0) == points->GetId(size - 1);
+    for (vtkIdType k = isClosed ? 0 : 1; k + 1 < size; ++k)
+    {
+      Numbers point = GetPoint(output, points->GetId(k));
+      for (const char* name : { "FaceId", "vtkOriginalPointIds", "Barycentric" })
+      {
+        vtkDataArray* array = output->GetPointData()->GetArray(name);
+        for (int i = 0; i < array->GetNumberOfComponents(); ++i)
+        {
+          point.push_back(array->GetComponent(points->GetId(k), i));
+        }
+      }
+      inner.insert(point);
+    }
+  });
+  return inner;
+}
+
+class IsolinesInPieces
+  : public PieceGraph
+  , public testing::WithParamInterface<Division>
+{
+protected:
+  vtkSmartPointer<vtkPolyData> TakePiece(vtkPolyData* surface) const
+  {
+    return TakePart(surface, this->GetParam().Label(surface, this->Count), this->Here,
+      PartIds::Global, this->Count % 2 == 0);
+  }
+
+  /// Expects that the lines of all processes are those of a single one, cut between pieces.
+  template <typename Prepare>
+  void ExpectLines(vtkPolyData* piece, vtkPolyData* surface, const Prepare& prepare)
+  {
+    const auto alone = Alone<vtkApolloniusIsolines>(surface, prepare);
+    const auto together = this->Together<vtkApolloniusIsolines>(piece, prepare);
+    const auto expected = GetSegments(alone->GetOutput());
+    const auto segments = GetSegments(together->GetOutput());
+    EXPECT_TRUE(std::includes(expected.begin(), expected.end(), segments.begin(), segments.end()));
+    EXPECT_EQ(
+      this->Sum(static_cast<vtkIdType>(segments.size())), static_cast<vtkIdType>(expected.size()));
+    const auto all = GetInnerPoints(alone->GetOutput());
+    const auto inner = GetInnerPoints(together->GetOutput());
+    EXPECT_TRUE(std::includes(all.begin(), all.end(), inner.begin(), inner.end()));
+    EXPECT_EQ(together->GetUsedVirtualSources(), alone->GetUsedVirtualSources());
+    const bool hasLines = together->GetOutput()->GetNumberOfLines() > 0;
+    EXPECT_GT(this->Sum(hasLines ? 1 : 0), 1); // not gathered
+  }
+};
+}
+
+//------------------------------------------------------------------------------
+/// Segments are those of a single process, bit by bit.
+TEST_P(IsolinesInPieces, AreTheSame)
+{
+  const auto surface = Beside(this->Surface, MakeTerrain(15), 2.0);
+  const auto search = [&](auto* filter) {
+    filter->SetAccuracy(0.1);
+    filter->SetInputData(1, this->MakeSources());
+    filter->SetSourceIds({ surface->GetNumberOfPoints() - 1 });
+    filter->SetMaximumDistance(0.7);
+    filter->GenerateVirtualSourceOn();
+    filter->SetUnreachedValue(-1.0);
+  };
+  const auto alone = Alone<vtkDGGDistance>(surface, search);
+  const auto distance = this->Together<vtkDGGDistance>(this->TakePiece(surface), search);
+  const auto prepare = [](auto* filter) {
+    filter->GenerateValues(7, 0.02, 0.65);
+    filter->SetValue(7, 0.1);
+  };
+  this->ExpectLines(distance->GetOutput(), alone->GetOutput(), prepare);
+  this->ExpectLines(distance->GetOutput(), alone->GetOutput(), [&](auto* filter) {
+    prepare(filter);
+    filter->SetMethodToLinear();
+  });
+}
+
+INSTANTIATE_TEST_SUITE_P(Divisions, IsolinesInPieces, testing::ValuesIn(divisions),
+  [](const auto& tested) { return tested.param.Name; });
+
+//------------------------------------------------------------------------------
+/// One warning says that no process has a line. Distances without virtual sources, ridges and bands
+/// are gathered.
+TEST_F(PieceGraph, IsolinesThatAreMissingOrGathered)
+{
+  const auto search = [&](auto* filter) {
+    filter->SetAccuracy(0.05);
+    filter->SetSourceIds({ 5 });
+    filter->GenerateVirtualSourceOn();
+  };
+  const auto alone = Alone<vtkDGGDistance>(this->Surface, search);
+  const auto distance =
+    this->Together<vtkDGGDistance>(this->TakeStrip(this->Surface, PartIds::Global), search);
+  vtkNew<vtkApolloniusIsolines> isolines;
+  isolines->SetInputData(distance->GetOutput());
+  isolines->SetValue(0, 50.0);
+  const Listener listener(isolines);
+  this->Update(isolines);
+  ASSERT_EQ(listener.Warnings.size(), this->IsFirst() ? 1u : 0u);
+  if (this->IsFirst())
+  {
+    EXPECT_NE(listener.Warnings[0].find("There are no isolines"), std::string::npos);
+  }
+  const auto expectGathered = [&](const auto& prepare) {
+    const auto expected = Alone<vtkApolloniusIsolines>(alone->GetOutput(), prepare);
+    const auto gathered = this->Together<vtkApolloniusIsolines>(distance->GetOutput(), prepare);
+    EXPECT_EQ(GetSegments(gathered->GetOutput()),
+      this->IsFirst() ? GetSegments(expected->GetOutput()) : std::multiset<Numbers>());
+  };
+  expectGathered([](auto* filter) {
+    filter->SetValue(0, 0.4);
+    filter->GenerateRidgesOn();
+  });
+  expectGathered([](auto* filter) {
+    filter->SetValue(0, 0.4);
+    filter->GenerateBandsOn();
+  });
+  expectGathered([](auto* filter) {
+    filter->SetValue(0, 0.4);
+    filter->SetMethodToApollonius();
+  });
+  expectGathered([](auto* filter) {
+    filter->SetValue(0, 0.4);
+    filter->SetVirtualSourceArrayName("None");
+  });
+}
