@@ -522,6 +522,46 @@ TEST(Isolines, SmallLoopsAroundAFarthestPoint)
   }
 }
 
+/// Loops around points of faces that are farther than the boundary of the face.
+TEST(Isolines, LoopsAroundMaximaOfFaces)
+{
+  constexpr int Steps = 64;
+  int maxima = 0;
+  for (std::uint64_t seed = 1; seed <= 20; ++seed)
+  {
+    const SurfaceMesh mesh = Build(WithNoise(Icosahedron(), 0.2, seed));
+    const ExactField field(mesh, { VertexSource(0) });
+    FaceProfile profile(field.Exact);
+    for (Id f = 0; f < mesh.GetNumberOfFaces(); ++f)
+    {
+      profile.Enter(f);
+      double inside = 0.0;
+      double around = 0.0;
+      for (int i = 0; i <= Steps; ++i)
+      {
+        for (int j = 0; i + j <= Steps; ++j)
+        {
+          const double a = static_cast<double>(i) / Steps;
+          const double b = static_cast<double>(j) / Steps;
+          double& farthest = i == 0 || j == 0 || i + j == Steps ? around : inside;
+          farthest = std::max(farthest, profile.At(profile.PlaceOf({ { a, b, 1.0 - a - b } })));
+        }
+      }
+      if (inside > around + 0.01)
+      {
+        ++maxima;
+        const Isolines lines = Trace(field.Exact, { inside - 0.001 });
+        EXPECT_TRUE(std::any_of(lines.Lines.begin(), lines.Lines.end(),
+          [f](const SurfacePath& l) {
+            return std::all_of(l.Faces.begin(), l.Faces.end(), [f](Id face) { return face == f; });
+          }))
+          << seed << " " << f;
+      }
+    }
+  }
+  EXPECT_GT(maxima, 5);
+}
+
 TEST(Isolines, DoNotRunBack)
 {
   const TestMesh test = WithNoise(Ellipsoid(4, 0.5), 0.01, 3);

@@ -87,6 +87,24 @@ void EdgeProfile::Enter(Id h)
   this->BreakStates.assign(this->Breaks.size(), state);
 }
 
+std::vector<double> EdgeProfile::FindPlacesBetweenBreaks(Id h)
+{
+  this->Enter(h);
+  std::vector<double> breaks = this->Breaks;
+  const bool isSame = this->Field.Mesh->Origin(h) == this->Field.Mesh->Origin(this->HalfEdge);
+  for (double& x : breaks)
+  {
+    x = isSame ? x / this->Length : 1.0 - x / this->Length;
+  }
+  std::sort(breaks.begin(), breaks.end());
+  std::vector<double> places;
+  for (std::size_t i = 1; i < breaks.size(); ++i)
+  {
+    places.push_back(0.5 * (breaks[i - 1] + breaks[i]));
+  }
+  return places;
+}
+
 void EdgeProfile::CollectWindows(Id h)
 {
   const bool isSame = this->Field.Mesh->Origin(h) == this->Field.Mesh->Origin(this->HalfEdge);

@@ -42,10 +42,13 @@ public:
 
   /// Returns abscissae from 0 to the length that separate the extrema of the distance. With
   /// windows, a single one is nearest between consecutive abscissae, and no extremum lies between
-  /// them, up to rounding. Without windows,
-  /// rarely more than one extremum lies between them; FindCrossings() searches for such extrema
-  /// when necessary.
+  /// them, up to rounding. Without windows, rarely more than one extremum lies between them;
+  /// FindCrossings() searches for such extrema when necessary.
   const std::vector<double>& GetBreaks() const { return this->Breaks; }
+
+  /// Selects the edge of a half-edge, and returns increasing fractions of the half-edge: the middle
+  /// between each two breaks.
+  std::vector<double> FindPlacesBetweenBreaks(Id h);
 
   /// Appends the abscissae, in increasing order, at which the distance crosses `level` (points at
   /// the level count as above). The number of crossings is even iff both ends are on the same side.

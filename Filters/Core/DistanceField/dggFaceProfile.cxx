@@ -283,6 +283,42 @@ double FaceProfile::GetLargestRaise() const
   return raise;
 }
 
+bool FaceProfile::MayHavePeak() const
+{
+  std::vector<Point2> images;
+  for (const SeenWindow& window : this->Windows)
+  {
+    images.push_back(window.Place);
+  }
+  for (const FieldSample& source : this->Sources)
+  {
+    images.push_back(source.Image);
+  }
+  for (int k = 0; k < 3; ++k)
+  {
+    for (int i = 0; this->HasModels && i < this->Seen[k].Count; ++i)
+    {
+      images.push_back(this->Seen[k].Sources[i].Image);
+    }
+    if (this->Distances[k] <= std::min(this->Distances[(k + 1) % 3], this->Distances[(k + 2) % 3]))
+    {
+      images.push_back(this->Corners[k]);
+    }
+  }
+  // A maximum lies in the convex hull of the images around it, hence not beyond a side of the face
+  // if all images do.
+  std::array<double, 3> largest{ { 0.0, 0.0, 0.0 } };
+  for (const Point2& image : images)
+  {
+    const std::array<double, 3> b = this->BarycentricOf(image);
+    for (int k = 0; k < 3; ++k)
+    {
+      largest[k] = std::max(largest[k], b[k]);
+    }
+  }
+  return std::min({ largest[0], largest[1], largest[2] }) > 0.0;
+}
+
 FieldSample FaceProfile::SampleAt(const Point2& p) const
 {
   if (this->Field.HasWindows())

@@ -46,6 +46,10 @@ public:
   /// Returns the largest amount by which the model of a corner is raised at another corner.
   double GetLargestRaise() const;
 
+  /// Returns true if the face may contain a local maximum, because wavefronts arrive from all
+  /// sides.
+  bool MayHavePeak() const;
+
   /// Returns true if points of the face may have different nearest sources (FieldSample::Source).
   bool MayHaveSeveralSources() const;
 

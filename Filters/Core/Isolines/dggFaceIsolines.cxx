@@ -2,12 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggFaceIsolines.h"
 
-#include "dggLevelTurns.h"
+#include "dggFieldJumps.h"
 #include "dggSurfacePoint.h"
 
 #include <algorithm>
-#include <cmath>
+#include <cstddef>
 #include <iterator>
+#include <utility>
 
 namespace dgg
 {
@@ -19,10 +20,10 @@ constexpr std::array<int, 5> CellsOfMarchingTriangles{ { 4, 8, 16, 32, 64 } };
 constexpr double CellsPerSeed = 4.0;
 /// Barycentric coordinate below which a source counts as on the boundary.
 constexpr double OnRim = 1e-9;
-/// Barycentric coordinate of the samples close to corners.
-constexpr double NearCorner = 0.96;
-/// Maximum recursion depth of the search for maxima.
-constexpr int DeepestPeak = 4;
+/// Barycentric distance of samples from the boundary.
+constexpr double Inset = 1e-3;
+/// Maximum number of wavefronts in the search for maxima.
+constexpr std::size_t MostWaves = 24;
 
 double LeastOf(const std::array<double, 3>& values)
 {
@@ -37,6 +38,7 @@ FaceIsolines::FaceIsolines(const DistanceField& field, const std::vector<double>
   , Tolerance(tolerance)
   , Crossings(crossings)
   , Profile(field)
+  , Edge(field)
 {
 }
 
@@ -148,30 +150,47 @@ Id FaceIsolines::Trace(Id f, std::vector<FaceCurve>& curves)
 /// distance at the source decides.
 void FaceIsolines::FindSeeds()
 {
+  std::vector<FieldSample> waves;
+  waves.reserve(MostWaves); // references to waves remain valid
   for (const FieldSample& source : this->Profile.GetSources())
   {
     this->AddSource(source);
+    this->AddWave(source, waves);
   }
-  std::array<LevelPoint, 3> corners;
+  const bool mayHavePeak = this->Profile.MayHavePeak();
   for (int k = 0; k < 3; ++k)
   {
-    std::array<double, 3> b{};
-    b.fill(0.5 * (1.0 - NearCorner));
-    b[k] = NearCorner;
-    corners[k].Place = this->Profile.PlaceOf(b);
-    corners[k].Sample = this->Profile.SampleAt(corners[k].Place);
+    // Each wavefront enters through a side, unless its source is inside.
+    std::vector<double> places;
+    if (mayHavePeak)
+    {
+      places = this->Edge.FindPlacesBetweenBreaks(3 * this->Profile.GetFace() + k);
+    }
     if (this->Field.HasSources())
     {
-      this->AddSource(corners[k].Sample);
+      places.push_back(0.0);
+    }
+    for (const double t : places)
+    {
+      std::array<double, 3> b = CoordinatesOnEdge(k, t);
+      for (double& coordinate : b)
+      {
+        coordinate = Inset + (1.0 - 3.0 * Inset) * coordinate;
+      }
+      const FieldSample sample = this->Profile.SampleAt(this->Profile.PlaceOf(b));
+      this->AddSource(sample);
+      this->AddWave(sample, waves);
     }
   }
-  LevelPoint middle;
-  middle.Place = this->Profile.PlaceOf({ { 1.0 / 3.0, 1.0 / 3.0, 1.0 / 3.0 } });
-  middle.Sample = this->Profile.SampleAt(middle.Place);
-  this->FindPeaks({ { &corners[0], &corners[1], &corners[2] } }, 0);
-  for (int k = 0; k < 3; ++k)
+  for (std::size_t c = 2; mayHavePeak && c < waves.size(); ++c)
   {
-    this->FindPeaks({ { &corners[k], &corners[(k + 1) % 3], &middle } }, 0);
+    for (std::size_t b = 1; b < c; ++b)
+    {
+      for (std::size_t a = 0; a < b; ++a)
+      {
+        this->AddPeak(waves[a], waves[b], waves[c], waves);
+      }
+    }
   }
 }
 
@@ -182,56 +201,77 @@ void FaceIsolines::AddSource(const FieldSample& sample)
   {
     return;
   }
-  const std::array<Point2, 3>& corners = this->Profile.GetCorners();
-  const double close = 1e-6 * Distance(corners[0], corners[1]);
   const double distance = this->Profile.At(place);
   if (!this->Levels.empty() && !(distance < this->Levels.back()))
   {
     return; // all levels are below
   }
-  for (const Seed& seed : this->Seeds)
+  this->AddSeed({ place, distance, false });
+}
+
+/// Adds a seed unless one exists at its position.
+void FaceIsolines::AddSeed(const Seed& seed)
+{
+  const double close = 1e-6 * this->Field.Mesh->Length(3 * this->Profile.GetFace());
+  if (std::none_of(this->Seeds.begin(), this->Seeds.end(),
+        [&](const Seed& known) { return Distance(known.Place, seed.Place) <= close; }))
   {
-    if (Distance(seed.Place, place) <= close)
+    this->Seeds.push_back(seed);
+  }
+}
+
+/// Adds a wavefront unless its source is known. A source may be visible through several windows.
+void FaceIsolines::AddWave(const FieldSample& wave, std::vector<FieldSample>& waves) const
+{
+  const double length = this->Field.Mesh->Length(3 * this->Profile.GetFace());
+  const bool isKnown = std::any_of(waves.begin(), waves.end(),
+    [&](const FieldSample& known) { return HaveOneSource(known, wave, length); });
+  if (!isKnown && wave.HasImage && waves.size() < MostWaves)
+  {
+    waves.push_back(wave);
+  }
+}
+
+/// Adds the maximum, around which isolines may be closed, at which three wavefronts meet from all
+/// sides. If another wavefront is shorter at the meeting point, adds this wavefront instead.
+void FaceIsolines::AddPeak(const FieldSample& first, const FieldSample& second,
+  const FieldSample& third, std::vector<FieldSample>& waves)
+{
+  // The maximum lies inside the triangle of the images.
+  const std::array<Point2, 3> images{ { first.Image, second.Image, third.Image } };
+  const double turn = Cross(Difference(images[1], images[0]), Difference(images[2], images[0]));
+  const auto isInside = [&](int k, const Point2& p) {
+    return turn * Cross(Difference(images[(k + 1) % 3], images[k]), Difference(p, images[k])) > 0.0;
+  };
+  const std::array<Point2, 3>& corners = this->Profile.GetCorners();
+  const std::array<std::array<double, 3>, 3> b{ { this->Profile.BarycentricOf(images[0]),
+    this->Profile.BarycentricOf(images[1]), this->Profile.BarycentricOf(images[2]) } };
+  for (int k = 0; k < 3; ++k)
+  {
+    if (std::max({ b[0][k], b[1][k], b[2][k] }) <= OnRim)
+    {
+      return;
+    }
+    if (!isInside(k, corners[0]) && !isInside(k, corners[1]) && !isInside(k, corners[2]))
     {
       return;
     }
   }
-  this->Seeds.push_back({ place, distance, false });
-}
-
-/// Finds the maxima between three points, around which isolines may be closed: points at which the
-/// wavefronts of the points meet from all sides. If another wavefront is shorter at such a point,
-/// searches between this point and each two of the others.
-void FaceIsolines::FindPeaks(const std::array<const LevelPoint*, 3>& points, int depth)
-{
-  LevelPoint meeting;
-  if (!FindMeeting(points, meeting.Place))
+  Point2 place = this->Profile.PlaceOf({ { 1.0 / 3.0, 1.0 / 3.0, 1.0 / 3.0 } });
+  if (!MoveToTie(first, second, third, place) || !isInside(0, place) || !isInside(1, place) ||
+    !isInside(2, place) || !(LeastOf(this->Profile.BarycentricOf(place)) > OnRim))
   {
     return;
   }
-  meeting.Sample = this->Profile.SampleAt(meeting.Place);
-  const auto isNearest = [&](const LevelPoint* point) {
-    return point->Sample.Candidate == meeting.Sample.Candidate;
-  };
-  if (std::any_of(points.begin(), points.end(), isNearest))
+  const FieldSample nearest = this->Profile.SampleAt(place);
+  if (nearest.Distance <
+    DistanceFromSource(first, place) - OnRim * Distance(corners[0], corners[1]))
   {
-    std::array<Point2, 3> away;
-    for (int k = 0; k < 3; ++k)
-    {
-      away[k] = Difference(meeting.Place, points[k]->Sample.Image);
-    }
-    const double turn = Cross(away[0], away[1]);
-    if (turn * Cross(away[1], away[2]) > 0.0 && turn * Cross(away[2], away[0]) > 0.0)
-    {
-      this->Seeds.push_back({ meeting.Place, meeting.Sample.Distance, true });
-    }
-    return;
+    this->AddWave(nearest, waves);
   }
-  for (int k = 0; k < 3 && depth < DeepestPeak; ++k)
+  else
   {
-    std::array<const LevelPoint*, 3> part = points;
-    part[k] = &meeting;
-    this->FindPeaks(part, depth + 1);
+    this->AddSeed({ place, nearest.Distance, true });
   }
 }
 

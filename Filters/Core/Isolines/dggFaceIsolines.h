@@ -5,6 +5,7 @@
 #ifndef dggFaceIsolines_h
 #define dggFaceIsolines_h
 
+#include "dggEdgeProfile.h"       // for EdgeProfile
 #include "dggFaceProfile.h"       // for FaceProfile
 #include "dggIsolineParts.h"      // for FaceCurve
 #include "dggMarchingTriangles.h" // for MarchingTriangles
@@ -45,7 +46,10 @@ private:
   bool MayHoldSource(Id f) const;
   void FindSeeds();
   void AddSource(const FieldSample& sample);
-  void FindPeaks(const std::array<const LevelPoint*, 3>& points, int depth);
+  void AddSeed(const Seed& seed);
+  void AddWave(const FieldSample& wave, std::vector<FieldSample>& waves) const;
+  void AddPeak(const FieldSample& first, const FieldSample& second, const FieldSample& third,
+    std::vector<FieldSample>& waves);
   void CollectRim(Id level);
   Id TraceLevel(Id level, std::vector<FaceCurve>& curves);
   bool TraceDirectly(const LevelArc& arc, Id level, std::vector<FaceCurve>& curves);
@@ -57,6 +61,7 @@ private:
   double Tolerance;
   const LevelCrossings& Crossings;
   FaceProfile Profile;
+  EdgeProfile Edge;
   MarchingTriangles Triangles;
   LevelRim Rim;
   std::array<Id, 3> Edges{ { NoId, NoId, NoId } }; // half-edges of the sides

@@ -128,35 +128,14 @@ FaceRidgeFinder::Rim FaceRidgeFinder::MakeRim()
   return rim;
 }
 
-/// Returns fractions of an edge, in increasing order, such that the nearest source changes at most
-/// once between neighbors.
-std::vector<double> FaceRidgeFinder::PlacesBetweenChanges(int k)
-{
-  const SurfaceMesh& mesh = *this->Field.Mesh;
-  const Id h = 3 * this->Profile.GetFace() + k;
-  this->Edge.Enter(h);
-  std::vector<double> changes = this->Edge.GetBreaks();
-  const bool isSame = mesh.Origin(h) == mesh.Origin(this->Edge.GetHalfEdge());
-  for (double& change : changes)
-  {
-    change = isSame ? change / mesh.Length(h) : 1.0 - change / mesh.Length(h);
-  }
-  std::sort(changes.begin(), changes.end());
-  std::vector<double> places;
-  for (std::size_t i = 1; i < changes.size(); ++i)
-  {
-    places.push_back(0.5 * (changes[i - 1] + changes[i]));
-  }
-  return places;
-}
-
 /// Adds the ridges that leave through an edge, located at the tie on the edge itself.
 void FaceRidgeFinder::AddSide(int k, const Point2& from, const Point2& to, Rim& rim)
 {
   std::vector<FieldJump> jumps;
   if (this->Options.BetweenSources)
   {
-    this->Jumps.Find(from, to, this->PlacesBetweenChanges(k), WidthOfSide, jumps);
+    this->Jumps.Find(from, to, this->Edge.FindPlacesBetweenBreaks(3 * this->Profile.GetFace() + k),
+      WidthOfSide, jumps);
   }
   else
   {

@@ -82,7 +82,6 @@ private:
   using Crossing = FieldJump; // a ridge point, located at the tie
 
   Rim MakeRim();
-  std::vector<double> PlacesBetweenChanges(int k);
   void AddSide(int k, const Point2& from, const Point2& to, Rim& rim);
   void AddCorner(int k, const Point2& from, const Point2& to, Rim& rim);
   Id AddEnd(const RidgeEnd& end, const Crossing& crossing);
