@@ -176,35 +176,4 @@ void FindTurns(const LevelArc& arc, double level, const LevelEnd& from, const Le
     finish();
   }
 }
-
-bool FindMeeting(const std::array<const LevelPoint*, 3>& points, Point2& meeting)
-{
-  std::array<Point2, 3> corners;
-  meeting = {};
-  for (int k = 0; k < 3; ++k)
-  {
-    if (points[k]->Sample.Candidate == points[(k + 1) % 3]->Sample.Candidate)
-    {
-      return false;
-    }
-    corners[k] = points[k]->Place;
-    meeting.X += corners[k].X / 3.0;
-    meeting.Y += corners[k].Y / 3.0;
-  }
-  if (!MoveToTie(points[0]->Sample, points[1]->Sample, points[2]->Sample, meeting))
-  {
-    return false;
-  }
-  const double area = Cross(Difference(corners[1], corners[0]), Difference(corners[2], corners[0]));
-  for (int k = 0; k < 3; ++k)
-  {
-    const Point2& from = corners[k];
-    const Point2& to = corners[(k + 1) % 3];
-    if (!(Cross(Difference(to, from), Difference(meeting, from)) > AtEnd * area))
-    {
-      return false;
-    }
-  }
-  return true;
-}
 }

@@ -1,14 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Minima and ties of the wavefronts of several sources between two points, and between three.
-/// Internal.
+/// Minima and ties of the wavefronts of several sources between two points. Internal.
 #ifndef dggLevelTurns_h
 #define dggLevelTurns_h
 
 #include "dggLevelArc.h" // for LevelPoint
 
-#include <array>  // for three points
 #include <vector> // for the points
 
 namespace dgg
@@ -25,10 +23,6 @@ struct LevelEnd
 /// points without images, one point on the ridge. No point is appended if the ends suffice.
 void FindTurns(const LevelArc& arc, double level, const LevelEnd& from, const LevelEnd& to,
   std::vector<LevelPoint>& turns);
-
-/// Finds the point at which the wavefronts of three samples meet, which may be a local maximum.
-/// Returns false if the point does not lie inside the triangle of the samples.
-bool FindMeeting(const std::array<const LevelPoint*, 3>& points, Point2& meeting);
 }
 
 #endif

@@ -262,10 +262,9 @@ void MarchingTriangles::CutSide(Id a, Id b, Id node)
   }
 }
 
-/// Divides triangles, because wavefronts may be narrower than the triangles. Triangles are divided
-/// until no side is crossed more than once, and at points where three wavefronts meet. Existing
-/// sides are processed before new ones, since processing new sides first could lead to slivers
-/// along a side that has to be divided itself.
+/// Divides triangles until no side is crossed more than once, because wavefronts may be narrower
+/// than the triangles. Existing sides are processed before new ones, since processing new sides
+/// first could lead to slivers along a side that has to be divided itself.
 void MarchingTriangles::AddTurns(const LevelArc& arc, double level)
 {
   this->Looked.clear();
@@ -286,11 +285,6 @@ void MarchingTriangles::AddTurns(const LevelArc& arc, double level)
     for (std::size_t i = 0; i < sides.size() && this->Nodes.size() < most; ++i)
     {
       isCut = this->CutAtTurns(arc, level, sides[i].first, sides[i].second) || isCut;
-    }
-    const std::size_t count = this->Triangles.size();
-    for (std::size_t t = 0; t < count && this->Nodes.size() < most; ++t)
-    {
-      isCut = this->CutAtMeeting(arc, level, t) || isCut;
     }
   }
 }
@@ -314,22 +308,6 @@ bool MarchingTriangles::CutAtTurns(const LevelArc& arc, double level, Id a, Id b
   }
   this->Looked.insert(std::minmax(previous, b));
   return !this->Turns.empty();
-}
-
-bool MarchingTriangles::CutAtMeeting(const LevelArc& arc, double level, std::size_t t)
-{
-  const Triangle triangle = this->Triangles[t];
-  const std::array<const Node*, 3> nodes{ { &this->Nodes[triangle[0]], &this->Nodes[triangle[1]],
-    &this->Nodes[triangle[2]] } };
-  Point2 meeting;
-  if ((nodes[0]->IsAbove && nodes[1]->IsAbove && nodes[2]->IsAbove) ||
-    !FindMeeting({ { &nodes[0]->Point, &nodes[1]->Point, &nodes[2]->Point } }, meeting) ||
-    !(arc.Evaluate(meeting).Sample.Distance >= level))
-  {
-    return false;
-  }
-  this->Divide(t, this->AddNode(arc, level, meeting));
-  return true;
 }
 
 /// Returns true if the side between two nodes lies on the boundary, on which the crossings decide.

@@ -88,7 +88,6 @@ private:
   void CutSide(Id a, Id b, Id node);
   void AddTurns(const LevelArc& arc, double level);
   bool CutAtTurns(const LevelArc& arc, double level, Id a, Id b);
-  bool CutAtMeeting(const LevelArc& arc, double level, std::size_t t);
   bool IsOnRim(Id a, Id b) const;
   Id AddLink(Id low, Id high);
   Id FindLink(Id a, Id b);
