@@ -129,6 +129,7 @@ private:
   Equations Evaluate(const Guess& guess) const;
   double MisfitOfVertex() const;
   double Improve(Guess& guess) const;
+
   const SurfaceMesh& Mesh;
   const double* Distances;
   std::vector<Neighbor> Neighbors;

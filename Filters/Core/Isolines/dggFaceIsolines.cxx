@@ -304,7 +304,7 @@ void FaceIsolines::CollectRim(Id level)
   }
 }
 
-LevelPoint FaceIsolines::LookAtRim(const LevelArc& arc, Id crossing) const
+LevelPoint FaceIsolines::EvaluateCrossing(const LevelArc& arc, Id crossing) const
 {
   const SurfaceMesh& mesh = *this->Field.Mesh;
   const LevelCrossing& c = this->Crossings.Crossings[crossing];
@@ -367,12 +367,12 @@ bool FaceIsolines::TraceDirectly(const LevelArc& arc, Id level, std::vector<Face
     }
   }
   FaceCurve curve;
-  const bool isGood = this->TraceChain(arc, chain, level, curve);
-  if (isGood)
+  const bool isWithinTolerance = this->TraceChain(arc, chain, level, curve);
+  if (isWithinTolerance)
   {
     curves.push_back(std::move(curve));
   }
-  return isGood;
+  return isWithinTolerance;
 }
 
 /// Traces a chain, skipping points that are not at the level, except for crossings on the boundary.
@@ -387,27 +387,27 @@ bool FaceIsolines::TraceChain(
   this->Curve.clear();
   if (chain.First != NoId)
   {
-    this->Curve.push_back(this->LookAtRim(arc, chain.First));
+    this->Curve.push_back(this->EvaluateCrossing(arc, chain.First));
   }
   std::copy_if(chain.Points.begin(), chain.Points.end(), std::back_inserter(this->Curve),
     [](const LevelPoint& point) { return point.IsOnLevel; });
   this->Points.clear();
   if (chain.First != NoId)
   {
-    this->Curve.push_back(this->LookAtRim(arc, chain.Last));
+    this->Curve.push_back(this->EvaluateCrossing(arc, chain.Last));
   }
   else if (!this->Curve.empty())
   {
     this->Points.push_back(this->Curve.front().Place);
     this->Curve.emplace_back(this->Curve.front());
   }
-  bool isGood = true;
+  bool isWithinTolerance = true;
   for (std::size_t i = 1; i < this->Curve.size(); ++i)
   {
     const LevelPoint& from = this->Curve[i - 1];
     const LevelPoint& to = this->Curve[i];
     const bool isClose = arc.Refine(from, to, this->Points);
-    isGood = isGood && (isClose || !from.IsOnLevel || !to.IsOnLevel);
+    isWithinTolerance = isWithinTolerance && (isClose || !from.IsOnLevel || !to.IsOnLevel);
     if (i + 1 < this->Curve.size())
     {
       this->Points.push_back(to.Place);
@@ -418,6 +418,6 @@ bool FaceIsolines::TraceChain(
   {
     curve.Points.push_back(this->Profile.BarycentricOf(place));
   }
-  return isGood;
+  return isWithinTolerance;
 }
 }

@@ -54,7 +54,7 @@ private:
   Id TraceLevel(Id level, std::vector<FaceCurve>& curves);
   bool TraceDirectly(const LevelArc& arc, Id level, std::vector<FaceCurve>& curves);
   bool TraceChain(const LevelArc& arc, const LevelChain& chain, Id level, FaceCurve& curve);
-  LevelPoint LookAtRim(const LevelArc& arc, Id crossing) const;
+  LevelPoint EvaluateCrossing(const LevelArc& arc, Id crossing) const;
 
   const DistanceField& Field;
   const std::vector<double>& Levels;

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggFieldJumps.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace dgg

@@ -5,9 +5,7 @@
 #include "dggFieldJumps.h"
 #include "dggRootFinding.h"
 
-#include <algorithm>
 #include <cmath>
-#include <cstddef>
 
 namespace dgg
 {

@@ -267,7 +267,7 @@ void MarchingTriangles::CutSide(Id a, Id b, Id node)
 /// first could lead to slivers along a side that has to be divided itself.
 void MarchingTriangles::AddTurns(const LevelArc& arc, double level)
 {
-  this->Looked.clear();
+  this->Searched.clear();
   const std::size_t most = MostNodes * this->Nodes.size();
   bool isCut = true;
   for (int round = 0; round < RoundsOfTurns && isCut; ++round)
@@ -291,7 +291,7 @@ void MarchingTriangles::AddTurns(const LevelArc& arc, double level)
 
 bool MarchingTriangles::CutAtTurns(const LevelArc& arc, double level, Id a, Id b)
 {
-  if (this->IsOnRim(a, b) || !this->Looked.insert(std::minmax(a, b)).second)
+  if (this->IsOnRim(a, b) || !this->Searched.insert(std::minmax(a, b)).second)
   {
     return false;
   }
@@ -303,10 +303,10 @@ bool MarchingTriangles::CutAtTurns(const LevelArc& arc, double level, Id a, Id b
   {
     const Id node = this->AddNode(arc, level, turn.Place);
     this->CutSide(previous, b, node);
-    this->Looked.insert(std::minmax(previous, node));
+    this->Searched.insert(std::minmax(previous, node));
     previous = node;
   }
-  this->Looked.insert(std::minmax(previous, b));
+  this->Searched.insert(std::minmax(previous, b));
   return !this->Turns.empty();
 }
 

@@ -9,7 +9,7 @@
 
 #include <array>   // for the sides
 #include <cstddef> // for std::size_t
-#include <set>     // for the sides that have been looked at
+#include <set>     // for the searched sides
 #include <utility> // for std::pair
 #include <vector>  // for the nodes
 
@@ -102,7 +102,7 @@ private:
   std::array<std::vector<std::vector<Id>>, 3>
     Between; // additional nodes between two division points
   std::vector<Id> Polygon;
-  std::set<Side> Looked;
+  std::set<Side> Searched;
   std::vector<LevelPoint> Turns;
   std::vector<LevelChain> Chains;
 };

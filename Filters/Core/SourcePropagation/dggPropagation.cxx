@@ -513,7 +513,7 @@ void Propagation<High>::CollectShortcutsFrom(Id h, std::vector<PropagationShortc
 /// Relaxes all mesh edges up to the radius, like Dijkstra's algorithm: no distance exceeds the
 /// distance of a neighbor plus the edge length, up to rounding.
 template <bool High>
-void Propagation<High>::TakeWaysAlongEdges(const ParallelFor& parallel)
+void Propagation<High>::RelaxEdges(const ParallelFor& parallel)
 {
   std::priority_queue<PropagationShortcut, std::vector<PropagationShortcut>, IsLater> queue;
   const auto push = [&queue](std::vector<PropagationShortcut>& found) {
@@ -567,7 +567,7 @@ template <bool High>
 const std::vector<PropagationShortcut>& Propagation<High>::FindShortcuts(
   const ParallelFor& parallel)
 {
-  this->TakeWaysAlongEdges(parallel);
+  this->RelaxEdges(parallel);
   if (this->WantsLabels)
   {
     // Keep the shortcuts that define vertex distances.

@@ -85,7 +85,7 @@ private:
   DGG_INLINE void Enter(PropagationLabel label, PropagationChunk& chunk);
   DGG_INLINE void Offer(float key, const PropagationLabel& label, Id id, PropagationChunk& chunk);
   void TakeShortcuts(PropagationChunk& chunk);
-  void TakeWaysAlongEdges(const ParallelFor& parallel);
+  void RelaxEdges(const ParallelFor& parallel);
   void CollectShortcutsFrom(Id h, std::vector<PropagationShortcut>& found) const;
   float Load(Id v) const { return this->Distances[v].load(std::memory_order_relaxed); }
   void Lose(Id id, const PropagationLabel& label, PropagationChunk& chunk) const;

@@ -2,15 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggSourcePropagation.h"
 
-#include "dggPropagation.h"
 #include "dggProgressPart.h"
+#include "dggPropagation.h"
 #include "dggPropagationFaces.h"
 #include "dggRoundTeam.h"
 
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <string>
 
 namespace dgg
 {

@@ -47,7 +47,6 @@ std::array<double, 3> Step(
   return { { place[0] + part * direction[0], place[1] + part * direction[1],
     place[2] + part * direction[2] } };
 }
-
 }
 
 BorderRefinement::BorderRefinement(const SurfaceMesh& mesh, const SiteDistances& distances,

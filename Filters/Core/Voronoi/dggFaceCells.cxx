@@ -97,9 +97,9 @@ void FaceCells::Cut(Id face)
   {
     this->Diagram.BorderPoints.resize(numberOfPoints);
     this->Diagram.BorderDistances.resize(numberOfPoints);
-    this->CutPlainly(face);
+    this->CutFromCenter(face);
   }
-  for (const Cell& cell : this->Cells)
+  for (const FaceCell& cell : this->Cells)
   {
     cell.AddTo(this->Mesh, face, this->Diagram);
   }
@@ -110,7 +110,7 @@ void FaceCells::WalkAround(Id face)
 {
   this->Around.clear();
   this->Owners.clear();
-  const auto add = [this](const Point& point, Id owner) {
+  const auto add = [this](const CellPoint& point, Id owner) {
     if (!this->Around.empty() && this->Around.back().Number == point.Number)
     {
       this->Owners.back() = owner;
@@ -149,7 +149,7 @@ void FaceCells::CutByLines(Id face)
     Polygon polygon{ { CoordinatesOfCorner(0), 0 }, { CoordinatesOfCorner(1), 1 },
       { CoordinatesOfCorner(2), 2 } };
     this->Clip(s, polygon);
-    std::vector<Point> points;
+    std::vector<CellPoint> points;
     for (std::size_t i = 0; i < polygon.size(); ++i)
     {
       const int before = polygon[(i + polygon.size() - 1) % polygon.size()].Border;
@@ -165,7 +165,7 @@ bool FaceCells::IsConsistent() const
 {
   using Side = std::pair<Id, Id>;
   std::vector<Side> sides;
-  for (const Cell& cell : this->Cells)
+  for (const FaceCell& cell : this->Cells)
   {
     for (std::size_t i = 0; i < cell.Points.size(); ++i)
     {
@@ -187,10 +187,10 @@ bool FaceCells::IsConsistent() const
   // After refinement cells need not be convex, but must not be inverted.
   return sides == opposite && std::adjacent_find(sides.begin(), sides.end()) == sides.end() &&
     std::all_of(this->Cells.begin(), this->Cells.end(),
-      [](const Cell& cell) { return cell.GetFraction() >= -1e-12; });
+      [](const FaceCell& cell) { return cell.GetFraction() >= -1e-12; });
 }
 
-void FaceCells::CutPlainly(Id face)
+void FaceCells::CutFromCenter(Id face)
 {
   this->Inside.clear();
   this->Refined.clear();
@@ -214,7 +214,7 @@ void FaceCells::CutPlainly(Id face)
     this->AddCell(this->Owners[0], this->Around);
     return;
   }
-  Point hub = this->Around[changes[1]];
+  CellPoint hub = this->Around[changes[1]];
   if (changes.size() > 2)
   {
     double squaredDistance = Infinity;
@@ -236,7 +236,7 @@ void FaceCells::CutPlainly(Id face)
   {
     const std::size_t begin = changes[c];
     const std::size_t end = changes[(c + 1) % changes.size()];
-    std::vector<Point> points{ this->Around[begin] };
+    std::vector<CellPoint> points{ this->Around[begin] };
     for (std::size_t i = begin; i != end;)
     {
       i = i + 1 < size ? i + 1 : 0;
@@ -249,13 +249,13 @@ void FaceCells::CutPlainly(Id face)
 
 void FaceCells::AddWhole(Id face)
 {
-  std::vector<Point> points;
+  std::vector<CellPoint> points;
   points.reserve(3);
   for (int k = 0; k < 3; ++k)
   {
     points.push_back({ this->Mesh.Origin(3 * face + k), CoordinatesOfCorner(k) });
   }
-  Cell{ this->Diagram.NearestSites[points[0].Number], points }.AddTo(
+  FaceCell{ this->Diagram.NearestSites[points[0].Number], points }.AddTo(
     this->Mesh, face, this->Diagram);
 }
 
@@ -361,7 +361,7 @@ void FaceCells::Clip(std::size_t site, Polygon& polygon) const
 }
 
 /// Returns the point of the diagram at a corner of a polygon, between two of its sides.
-FaceCells::Point FaceCells::PointOf(Id face, std::size_t site, int before, const Corner& corner)
+CellPoint FaceCells::PointOf(Id face, std::size_t site, int before, const Corner& corner)
 {
   const int after = corner.Border;
   const Id number = this->Sites[site].Number;
@@ -389,11 +389,11 @@ FaceCells::Point FaceCells::PointOf(Id face, std::size_t site, int before, const
 
 /// Returns the cut of a side between two sites; if rounding has removed it, the nearest cut of that
 /// side.
-FaceCells::Point FaceCells::PointOnSide(
+CellPoint FaceCells::PointOnSide(
   Id face, int side, Id site, Id other, const Coordinates& place) const
 {
   const double parameter = place[(side + 1) % 3];
-  Point best{ this->Mesh.Origin(3 * face + side), CoordinatesOfCorner(side) };
+  CellPoint best{ this->Mesh.Origin(3 * face + side), CoordinatesOfCorner(side) };
   double miss = parameter;
   const auto offer = [&](Id number, double t, double distance) {
     if (distance < miss)
@@ -405,15 +405,15 @@ FaceCells::Point FaceCells::PointOnSide(
   offer(this->Mesh.Destination(3 * face + side), 1.0, 1.0 - parameter);
   for (const EdgeCut& cut : this->Sides[side])
   {
-    const bool isIt =
+    const bool isBorder =
       (cut.Before == site && cut.After == other) || (cut.Before == other && cut.After == site);
-    offer(cut.Point, cut.Parameter, isIt ? -1.0 : std::abs(cut.Parameter - parameter));
+    offer(cut.Point, cut.Parameter, isBorder ? -1.0 : std::abs(cut.Parameter - parameter));
   }
   return best;
 }
 
 /// Returns a point in a face: an existing one at the same position, otherwise a new one.
-FaceCells::Point FaceCells::PointInside(
+CellPoint FaceCells::PointInside(
   Id face, const std::array<Id, 3>& sites, Coordinates place, double squaredDistance)
 {
   for (int k = 0; k < 3; ++k)
@@ -455,10 +455,10 @@ FaceCells::Point FaceCells::PointInside(
 }
 
 /// Adds a cell with the given points, without consecutive duplicates. Skipped if it has no area.
-void FaceCells::AddCell(Id site, const std::vector<Point>& points)
+void FaceCells::AddCell(Id site, const std::vector<CellPoint>& points)
 {
-  std::vector<Point> distinct;
-  for (const Point& point : points)
+  std::vector<CellPoint> distinct;
+  for (const CellPoint& point : points)
   {
     if (distinct.empty() || distinct.back().Number != point.Number)
     {

@@ -71,21 +71,18 @@ private:
   };
   using Polygon = std::vector<Corner>;
 
-  using Point = CellPoint;
-  using Cell = FaceCell;
-
   void AddWhole(Id face);
   void CollectSites(Id face);
   void Clip(std::size_t site, Polygon& polygon) const;
-  Point PointOf(Id face, std::size_t site, int before, const Corner& corner);
-  Point PointOnSide(Id face, int side, Id site, Id other, const Coordinates& place) const;
-  Point PointInside(
+  CellPoint PointOf(Id face, std::size_t site, int before, const Corner& corner);
+  CellPoint PointOnSide(Id face, int side, Id site, Id other, const Coordinates& place) const;
+  CellPoint PointInside(
     Id face, const std::array<Id, 3>& sites, Coordinates place, double squaredDistance);
   void CutByLines(Id face);
-  void CutPlainly(Id face);
+  void CutFromCenter(Id face);
   bool IsConsistent() const;
   void WalkAround(Id face);
-  void AddCell(Id site, const std::vector<Point>& points);
+  void AddCell(Id site, const std::vector<CellPoint>& points);
 
   const SurfaceMesh& Mesh;
   const SiteDistances& Distances;
@@ -95,12 +92,12 @@ private:
 
   // State of the current face.
   std::array<std::vector<EdgeCut>, 3> Sides;
-  std::vector<Point> Around; ///< corners and cuts, in order around the face
-  std::vector<Id> Owners;    ///< site of the segment from each of these points to the next
-  std::vector<Cell> Cells;
+  std::vector<CellPoint> Around; ///< corners and cuts, in order around the face
+  std::vector<Id> Owners;        ///< site of the segment from each of these points to the next
+  std::vector<FaceCell> Cells;
   std::vector<Site> Sites;
-  std::vector<Point> Inside; ///< positions before refinement
-  std::vector<Point> Refined;
+  std::vector<CellPoint> Inside; ///< positions before refinement
+  std::vector<CellPoint> Refined;
 };
 }
 

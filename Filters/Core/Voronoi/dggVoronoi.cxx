@@ -10,7 +10,6 @@
 #include "dggSiteDistances.h"
 
 #include <memory>
-#include <string>
 
 namespace dgg
 {
