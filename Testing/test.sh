@@ -25,10 +25,10 @@ if [ "${1:-}" = --all ]; then
   shift
   all=ON
   extra_data="${DGG_EXTRA_DATA:-}"
-  # CGAL and CHOLMOD are independent implementations to check against; Doxygen checks comments; CPack
-  # asks file.
-  packages+=(libbenchmark-dev libcgal-dev libsuitesparse-dev doxygen file glmark2-data
-    python3-venv)
+  # Boost's graphs, CGAL and CHOLMOD are independent implementations to check against; Doxygen checks
+  # comments; CPack asks file.
+  packages+=(libbenchmark-dev libboost-graph-parallel-dev libboost-mpi-dev libcgal-dev
+    libsuitesparse-dev doxygen file glmark2-data python3-venv)
 fi
 dgg_install "${packages[@]}"
 if [ -n "$extra_data" ]; then

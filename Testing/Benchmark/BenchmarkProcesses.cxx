@@ -16,7 +16,9 @@
 /// Each mesh gives one line of JSON, which measure_processes.py reads. Lists have one value per
 /// process. Times are the minimum of the repetitions. "work" is the sum of CPU times between
 /// messages, each of the slowest process: the time with one core per process and without waiting.
-/// "exchanges" are transfers in which all processes take part.
+/// "exchanges" are transfers in which all processes take part. "boost_seconds" are the times of
+/// delta-stepping in the same graph, by the Parallel Boost Graph Library with several widths of
+/// buckets. The largest difference of its distances from the labels is relative.
 
 #include "BenchmarkArguments.h"
 #include "BenchmarkTools.h"
@@ -24,6 +26,9 @@
 #include "DivisionReplay.h"
 #include "MeshFile.h"
 #include "PartTestTools.h"
+#ifdef DGG_WITH_BOOST
+#include "PeerBoost.h"
+#endif
 
 #include "dggBitHash.h"
 #include "dggMatrixRows.h"
@@ -46,6 +51,11 @@ using Numbers = std::vector<double>;
 
 /// Layers of cells that measure the boundary of a piece.
 constexpr int Layers = 4;
+#ifdef DGG_WITH_BOOST
+/// Widths of buckets of delta-stepping, in mean lengths of edges. Narrower ones are not tried after
+/// one that takes more than twice the shortest time.
+constexpr double Widths[] = { 16.0, 4.0, 1.0, 0.25, 0.0625 };
+#endif
 /// Members of a step, see the top of this file; messages that are empty or to the same process do
 /// not count.
 enum
@@ -464,31 +474,63 @@ void RunMesh(Processes& processes, const BenchmarkArguments& arguments, const st
   const dgg::Offset n = search.GetNumberOfPoints();
   line.Add("vertices", static_cast<double>(n));
   std::vector<dgg::PieceDistances> results(static_cast<std::size_t>(queries));
+  const auto source = [&](int query) { return n * query / queries; };
+  const auto measure = [&](const std::function<void(int)>& run) {
+    Step mean{};
+    for (int query = 0; query < queries; ++query)
+    {
+      const Step one = processes.Measure(repeats, [&] { run(query); });
+      std::transform(one.begin(), one.end(), mean.begin(), mean.begin(),
+        [&](double value, double sum) { return sum + value / queries; });
+    }
+    return mean;
+  };
   for (const bool isCorrected : { false, true })
   {
     dgg::PieceSearchOptions searched;
     searched.Correct = isCorrected;
     searched.FindSources = isCorrected;
-    Step mean{};
-    for (int query = 0; query < queries; ++query)
-    {
-      const Step step = processes.Measure(repeats, [&] {
-        Require(
-          search.Run(group, { { n * query / queries, {} } }, searched, results[query], isUsable));
-        Require(isUsable, "the paths on " + name + " are too long");
-      });
-      std::transform(step.begin(), step.end(), mean.begin(), mean.begin(),
-        [&](double value, double sum) { return sum + value / queries; });
-    }
-    line.Add(isCorrected ? "query" : "labels", mean);
+    line.Add(isCorrected ? "query" : "labels", measure([&](int query) {
+      Require(search.Run(group, { { source(query), {} } }, searched, results[query], isUsable));
+      Require(isUsable, "the paths on " + name + " are too long");
+    }));
   }
   report("query_peak", probe->GetHeapPeak());
   probe.reset();
 
+  std::vector<dgg::Offset> ids(piece.PointIds);
+  ids.insert(ids.end(), graph.GhostIds.begin(), graph.GhostIds.end());
+#ifdef DGG_WITH_BOOST
+  PeerBoost peer(graph.Rows.View(), ids, ghosts);
+  double difference = 0.0;
+  Numbers seconds;
+  for (const double width : Widths)
+  {
+    seconds.push_back(measure([&](int query) { peer.Run(source(query), width); })[Seconds]);
+    for (int query = 0; query < queries; ++query)
+    {
+      peer.Run(source(query), width);
+      const std::vector<double> distances = peer.GetDistances();
+      for (std::size_t v = 0; v < distances.size(); ++v)
+      {
+        if (graph.Owners[v] == dgg::GhostVertices::Here)
+        {
+          const double label = results[query].Labels[v];
+          difference = std::max(difference, std::abs(distances[v] / label - 1.0));
+        }
+      }
+    }
+    if (seconds.back() > 2.0 * *std::min_element(seconds.begin(), seconds.end()))
+    {
+      break;
+    }
+  }
+  line.Add("boost_seconds", seconds);
+  report("boost_difference", difference);
+#endif
+
   if (arguments.GetInteger("threads") > 0)
   {
-    std::vector<dgg::Offset> ids(piece.PointIds);
-    ids.insert(ids.end(), graph.GhostIds.begin(), graph.GhostIds.end());
     std::vector<dgg::Signature> hashes;
     Require(group.Share(HashRows(graph.Rows, ids, results,
                           [&](dgg::Id v) { return graph.Owners[v] == dgg::GhostVertices::Here; }),

@@ -6,7 +6,8 @@ Usage: measure_processes.py OUT.md LINES.json ...
 
 The lines are those of BenchmarkProcesses. The option --replay adds the number of ghosts, layers and
 rounds of a division, found on one process; each measured division needs them. The tables compare
-predictions with counts on several processes, and predict 10^9 points on 10^3 processes.
+predictions with counts on several processes, predict 10^9 points on 10^3 processes, and compare
+labels with shortest paths of the Parallel Boost Graph Library, if it was found.
 """
 
 import json
@@ -184,6 +185,28 @@ def table(rows):
     return listing(columns, rows)
 
 
+def peer_table(runs):
+    """Returns a table with a row per run that compares with Boost."""
+    lines = []
+    for run in runs:
+        if "boost_seconds" in run:
+            line = {name: run[name] for name in ("mesh", "vertices", "accuracy", "processes")}
+            line["times"] = run["labels_seconds"], min(run["boost_seconds"])
+            line["ratio"] = line["times"][1] / line["times"][0]
+            line["difference"] = max(run["boost_difference"])
+            lines.append(line)
+    columns = (
+        column("mesh", "{}", "mesh"),
+        column("points", lambda value: f"{value / 1e3:.0f}K", "vertices"),
+        column("ε", "{:g}", "accuracy"),
+        column("processes", "{}", "processes"),
+        column("labels / Boost, ms", pair(1e-3, "{:.1f}"), "times"),
+        column("ratio", "{:.1f}", "ratio"),
+        column("largest difference", "{:g}", "difference"),
+    )
+    return listing(columns, lines)
+
+
 def square_pieces(surface):
     """Returns the prediction for 1000 square pieces of 1000 x 1000 points. Paths cross all
     pieces."""
@@ -237,7 +260,7 @@ def large_table(surfaces):
 def main(page, *paths):
     runs, surfaces, divisions = read(paths)
     rows = compare(runs, surfaces, divisions)
-    text = "\n".join((summary(rows), table(rows), large_table(surfaces)))
+    text = "\n".join((summary(rows), table(rows), large_table(surfaces), peer_table(runs)))
     with open(page, "w", encoding="utf-8") as file:
         file.write(text)
     print(text)
