@@ -22,6 +22,8 @@ constexpr double CellsPerSeed = 4.0;
 constexpr double OnRim = 1e-9;
 /// Barycentric distance of samples from the boundary.
 constexpr double Inset = 1e-3;
+/// Tolerance of the distance at a meeting point, relative to an edge length.
+constexpr double TieTolerance = 1e-9;
 /// Maximum number of wavefronts in the search for maxima.
 constexpr std::size_t MostWaves = 24;
 
@@ -237,7 +239,7 @@ void FaceIsolines::AddWave(const FieldSample& wave, std::vector<FieldSample>& wa
 void FaceIsolines::AddPeak(const FieldSample& first, const FieldSample& second,
   const FieldSample& third, std::vector<FieldSample>& waves)
 {
-  // The maximum lies inside the triangle of the images.
+  // The maximum lies inside the triangle of the images, which must therefore overlap the face.
   const std::array<Point2, 3> images{ { first.Image, second.Image, third.Image } };
   const double turn = Cross(Difference(images[1], images[0]), Difference(images[2], images[0]));
   const auto isInside = [&](int k, const Point2& p) {
@@ -248,11 +250,8 @@ void FaceIsolines::AddPeak(const FieldSample& first, const FieldSample& second,
     this->Profile.BarycentricOf(images[1]), this->Profile.BarycentricOf(images[2]) } };
   for (int k = 0; k < 3; ++k)
   {
-    if (std::max({ b[0][k], b[1][k], b[2][k] }) <= OnRim)
-    {
-      return;
-    }
-    if (!isInside(k, corners[0]) && !isInside(k, corners[1]) && !isInside(k, corners[2]))
+    if (std::max({ b[0][k], b[1][k], b[2][k] }) <= OnRim ||
+      (!isInside(k, corners[0]) && !isInside(k, corners[1]) && !isInside(k, corners[2])))
     {
       return;
     }
@@ -264,8 +263,8 @@ void FaceIsolines::AddPeak(const FieldSample& first, const FieldSample& second,
     return;
   }
   const FieldSample nearest = this->Profile.SampleAt(place);
-  if (nearest.Distance <
-    DistanceFromSource(first, place) - OnRim * Distance(corners[0], corners[1]))
+  const double tolerance = TieTolerance * Distance(corners[0], corners[1]);
+  if (nearest.Distance < DistanceFromSource(first, place) - tolerance)
   {
     this->AddWave(nearest, waves);
   }
