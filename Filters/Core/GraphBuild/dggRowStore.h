@@ -40,6 +40,12 @@ public:
 
   Id GetNumberOfRows() const { return static_cast<Id>(this->Begins.size() - 1); }
   Offset GetNumberOfEdges() const { return this->Begins.back(); }
+  /// Returns the size in bytes of the rows.
+  double GetMemorySize() const
+  {
+    return static_cast<double>(this->GetNumberOfEdges()) * (this->IsWide ? 20.0 : 16.0) +
+      static_cast<double>(this->Begins.size() * sizeof(Offset));
+  }
   Offset Begin(Id row) const { return this->Begins[row]; }
   Offset End(Id row) const { return this->Begins[row + 1]; }
 

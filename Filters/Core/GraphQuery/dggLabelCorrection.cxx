@@ -27,8 +27,6 @@ constexpr double UnseenPart = 0.01;
 /// Rounding error of angles stored as floats, radians. Along the boundary, angles end exactly at
 /// its directions.
 constexpr double AngleSlack = 1e-5;
-/// Number of vertices by which data is prefetched.
-constexpr std::size_t Lookahead = 8;
 }
 
 LabelCorrection::LabelCorrection(const GraphView& graph, const SurfaceMesh& mesh)

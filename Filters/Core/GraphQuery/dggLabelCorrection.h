@@ -11,6 +11,7 @@
 #include "dggSurfaceMesh.h"  // for SurfaceMesh
 
 #include <algorithm> // for the interval
+#include <cstddef>   // for std::size_t
 #include <vector>    // for the vertices
 
 namespace dgg
@@ -59,6 +60,8 @@ public:
   Estimate Extend(
     const TreeStep& step, double label, const Estimate& tail, double smallestOffset) const;
 
+  /// Number of steps by which data is prefetched.
+  static constexpr std::size_t Lookahead = 8;
   /// Loads the edge and the angles of a step into the cache.
   void PrefetchStep(const TreeStep& step) const
   {

@@ -98,9 +98,10 @@ Status SurfaceRegion::Start(ProcessGroup& group, const SurfacePiece& piece, bool
 /// Adds the points and polygons of the piece. Returns false if two points have the same id.
 bool SurfaceRegion::AddPiece(const SurfacePiece& piece)
 {
+  const Id onlyHere = this->GetSet({ this->Here });
   for (Offset i = 0; i < piece.NumberOfPoints; ++i)
   {
-    if (this->AddPoint(piece.PointIds[i], piece.Points + 3 * i, { this->Here }) != i)
+    if (this->AddPoint(piece.PointIds[i], piece.Points + 3 * i, onlyHere) != i)
     {
       return false;
     }
@@ -208,7 +209,7 @@ Status SurfaceRegion::FindHolders(ProcessGroup& group, bool& isUnique)
 Id SurfaceRegion::AddVertex(Offset globalId, int owner)
 {
   constexpr double nowhere[3] = { 0.0, 0.0, 0.0 };
-  return this->AddPoint(globalId, nowhere, { owner });
+  return this->AddPoint(globalId, nowhere, this->GetSet({ owner }));
 }
 
 Status SurfaceRegion::TakeFromOwners(
@@ -251,14 +252,14 @@ Status SurfaceRegion::TakeFromOwners(
 }
 
 /// Adds a point unless it is in the region already. Returns its index.
-Id SurfaceRegion::AddPoint(Offset globalId, const double* position, const std::vector<int>& holders)
+Id SurfaceRegion::AddPoint(Offset globalId, const double* position, Id holders)
 {
   const auto added = this->Points.emplace(globalId, this->GetNumberOfPoints());
   if (added.second)
   {
     this->PointIds.push_back(globalId);
     this->Positions.insert(this->Positions.end(), position, position + 3);
-    this->Holders.push_back(this->GetSet(holders));
+    this->Holders.push_back(holders);
   }
   return added.first->second;
 }
@@ -266,7 +267,7 @@ Id SurfaceRegion::AddPoint(Offset globalId, const double* position, const std::v
 /// Returns the index of a set of processes in Sets.
 Id SurfaceRegion::GetSet(const std::vector<int>& holders)
 {
-  const auto added = this->IndexOfSet.emplace(holders, static_cast<Id>(this->Sets.size()));
+  const auto added = this->IndexOfSet.try_emplace(holders, static_cast<Id>(this->Sets.size()));
   if (added.second)
   {
     this->Sets.push_back(holders);
@@ -404,8 +405,8 @@ void SurfaceRegion::AddCells(const Message& message)
   {
     const auto end = next + 1 + *next;
     const Id before = this->GetNumberOfPoints();
-    const Id point =
-      this->AddPoint(pointIds[i], positions.data() + 3 * i, std::vector<int>(next + 1, end));
+    const Id point = this->AddPoint(
+      pointIds[i], positions.data() + 3 * i, this->GetSet(std::vector<int>(next + 1, end)));
     if (point == before)
     {
       this->AddToRim(point);
@@ -542,6 +543,7 @@ void SurfaceRegion::MakeMesh(RegionMesh& region) const
     const bool isOwn = c < this->NumberOfOwnCells;
     if (isOwn)
     {
+      region.OwnFaces += added;
       region.DroppedCells += added == 0 ? 1 : 0;
       region.Fans += triangulator.GetNumberOfFans() - fans;
     }
@@ -559,8 +561,7 @@ SurfaceFacts SurfaceRegion::MeasureFacts(const RegionMesh& region) const
   const SurfaceMesh& mesh = region.Mesh;
   SurfaceFacts facts;
   facts.IsRegular = region.IsValid;
-  facts.NumberOfFaces = std::count_if(
-    region.CellIds.begin(), region.CellIds.end(), [](Offset id) { return id != NoId; });
+  facts.NumberOfFaces = region.OwnFaces;
   for (Id h = 0; h < mesh.GetNumberOfHalfEdges() && facts.IsRegular; ++h)
   {
     if (mesh.IsDropped(SurfaceMesh::Face(h)))

@@ -43,6 +43,7 @@ struct RegionMesh
   std::vector<double> Positions;   ///< x y z per vertex
   std::vector<std::uint8_t> IsRim; ///< see SurfaceMesh::FromPoints()
   std::vector<Offset> CellIds;     ///< per face, the global id of a cell of the piece, or NoId
+  Offset OwnFaces = 0;             ///< number of faces of the piece
   Offset DroppedCells = 0;         ///< of the piece; see SurfaceDefects
   Offset Fans = 0;                 ///< of the piece
 };
@@ -117,7 +118,7 @@ private:
 
   bool AddPiece(const SurfacePiece& piece);
   Status FindHolders(ProcessGroup& group, bool& isUnique);
-  Id AddPoint(Offset globalId, const double* position, const std::vector<int>& holders);
+  Id AddPoint(Offset globalId, const double* position, Id holders);
   Id GetSet(const std::vector<int>& holders);
   const std::vector<int>& GetHolders(Id point) const { return this->Sets[this->Holders[point]]; }
   void AddToRim(Id point);

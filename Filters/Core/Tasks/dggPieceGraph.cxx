@@ -54,7 +54,6 @@ public:
     : Rows(isWide)
     , Group(group)
     , Options(options)
-    , BytesOfEdge(isWide ? 20.0 : 16.0)
   {
     UseThreads(context, this->Options);
     this->Options.Progress = ProgressPart(context.Progress, 0.0, FindingShare);
@@ -178,7 +177,7 @@ public:
   /// Returns the size in bytes of the edges found.
   double GetMemorySize() const
   {
-    return this->BytesOfEdge * static_cast<double>(this->Rows.GetNumberOfEdges());
+    return this->Rows.GetMemorySize() + static_cast<double>(this->Sources.size() * sizeof(Id));
   }
 
   SurfaceRegion Region;
@@ -256,7 +255,6 @@ private:
   std::vector<Id> Order;      // points of the region in the order of its mesh
   std::vector<RowEdge> Row;   // the next one of Rows
   GraphStatistics Statistics;
-  double BytesOfEdge;
 };
 
 /// Points of a region that are vertices of the graph of its piece: those of the piece, then ghosts

@@ -21,10 +21,7 @@ namespace
 /// Progress weight of finding labels if the tree is followed as well.
 constexpr double LabelShare = 0.7;
 /// Bytes per vertex of ids, labels, fans, arrivals and results.
-constexpr std::size_t BytesOfVertex = 216;
-
-/// Number of vertices by which data is prefetched.
-constexpr std::size_t Lookahead = 8;
+constexpr std::size_t BytesOfVertex = 248;
 
 /// Contribution of a process to the size of the entire graph.
 struct GraphSize
@@ -128,6 +125,12 @@ Status PieceSearch::MeasureAngles(ProcessGroup& group, const SurfacePiece& piece
   DGG_RETURN_IF_ERROR(region.Grow(group, 1, true, 0.0)); // all cells at the points of the piece
   RegionMesh mesh;
   region.MakeMesh(mesh);
+  isUsable = mesh.IsValid;
+  DGG_RETURN_IF_ERROR(group.Require(isUsable));
+  if (!isUsable)
+  {
+    return Status::Success();
+  }
   const std::vector<VertexAngle> ofMesh = MeasureVertexAngles(mesh.Mesh);
   std::vector<VertexAngle> angles(static_cast<std::size_t>(this->Graph.NumberOfVertices));
   for (std::size_t i = 0; i < mesh.Points.size(); ++i)
@@ -390,13 +393,17 @@ Status PieceSearch::FollowTree(ProcessGroup& group, const std::vector<GraphSeed>
   }
   std::vector<Message> messages;
   const auto total = static_cast<double>(std::max<std::size_t>(1, tree.Left.size()));
+  bool isAnyNew = true; // arrivals from which others may follow
   for (bool isOver = false; !isOver;)
   {
-    this->Descend(seeds, smallestOffset, tree, arrivals);
+    if (isAnyNew)
+    {
+      this->Descend(seeds, smallestOffset, tree, arrivals);
+    }
     DGG_RETURN_IF_ERROR(ReportTo(progress, 1.0 - static_cast<double>(tree.Left.size()) / total));
     this->CollectArrivals(arrivals, tree, messages);
     DGG_RETURN_IF_ERROR(group.Exchange(messages, this->GetMemorySize(), &isOver));
-    this->ReadArrivals(messages, arrivals);
+    isAnyNew = this->ReadArrivals(messages, arrivals);
   }
   bool isComplete = tree.Left.empty();
   DGG_RETURN_IF_ERROR(group.Require(isComplete));
@@ -486,14 +493,14 @@ Status PieceSearch::PrepareTree(ProcessGroup& group, Tree& tree, bool& isUsable)
   return Status::Success();
 }
 
-/// Returns true if a vertex of this process is reached from a vertex of another one.
+/// Returns true if the tail of a vertex of this process belongs to `process`.
 bool PieceSearch::HasTailOf(Id v, std::size_t process) const
 {
   return this->Distances[v] < Infinity && !this->Origins[v].IsSeed() &&
     this->Ghosts.Owners[this->Origins[v].Tail] == static_cast<Id>(process);
 }
 
-/// Sets the tail of a ghost, a vertex of this process. Returns false if no edge joins them.
+/// Sets the tail of a ghost to a vertex of this process. Returns false if no edge joins them.
 bool PieceSearch::SetTail(Id v, Id tail)
 {
   if (tail == NoId || !(this->Distances[tail] < this->Distances[v]))
@@ -503,18 +510,23 @@ bool PieceSearch::SetTail(Id v, Id tail)
   const Id* const row = this->Graph.Targets + this->Graph.Offsets[tail];
   const Id* const end = this->Graph.Targets + this->Graph.Offsets[tail + 1];
   const Id* const found = std::find(row, end, v);
-  this->Origins[v] = { found - this->Graph.Targets, tail };
+  if (found != end)
+  {
+    this->Origins[v] = { found - this->Graph.Targets, tail };
+  }
   return found != end;
 }
 
-/// Enters the arrivals in messages.
-void PieceSearch::ReadArrivals(
+/// Enters the arrivals in messages. Returns true if there are any.
+bool PieceSearch::ReadArrivals(
   const std::vector<Message>& messages, std::vector<Arrival>& arrivals) const
 {
+  bool isAny = false;
   for (std::size_t process = 0; process < messages.size(); ++process)
   {
     MessageReader reader(messages[process]);
     const auto list = reader.Take<SharedValue<Estimated>>();
+    isAny = isAny || !list.empty();
     const auto relays = reader.Take<PieceRelay>();
     for (std::size_t i = 0; i < list.size(); ++i)
     {
@@ -522,6 +534,7 @@ void PieceSearch::ReadArrivals(
         relays.empty() ? PieceRelay() : relays[i] };
     }
   }
+  return isAny;
 }
 
 /// Computes all arrivals that follow from known ones.
@@ -531,7 +544,7 @@ void PieceSearch::Descend(const std::vector<GraphSeed>& seeds, double smallestOf
   const std::vector<TreeStep> steps = this->FindSteps(tree, arrivals);
   for (std::size_t i = 0; i < steps.size(); ++i)
   {
-    const TreeStep& ahead = steps[std::min(i + Lookahead, steps.size() - 1)];
+    const TreeStep& ahead = steps[std::min(i + LabelCorrection::Lookahead, steps.size() - 1)];
     Prefetch(&arrivals[ahead.Vertex]);
     if (ahead.Tail != NoId)
     {

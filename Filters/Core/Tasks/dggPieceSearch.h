@@ -82,7 +82,8 @@ public:
 
   /// Computes distances from the nearest seed. The seeds must be the same on all processes. Seeds
   /// at points that no process has are ignored. `isUsable` becomes false on all processes if an
-  /// edge does not lengthen a path because the path is too long.
+  /// edge does not lengthen a path because the path is too long, or if an edge is missing on one of
+  /// its two processes.
   Status Run(ProcessGroup& group, const std::vector<PieceSeed>& seeds,
     const PieceSearchOptions& options, PieceDistances& result, bool& isUsable);
 
@@ -133,7 +134,7 @@ private:
   Status PrepareTree(ProcessGroup& group, Tree& tree, bool& isUsable);
   bool HasTailOf(Id v, std::size_t process) const;
   bool SetTail(Id v, Id tail);
-  void ReadArrivals(const std::vector<Message>& messages, std::vector<Arrival>& arrivals) const;
+  bool ReadArrivals(const std::vector<Message>& messages, std::vector<Arrival>& arrivals) const;
   std::vector<TreeStep> FindSteps(Tree& tree, const std::vector<Arrival>& arrivals) const;
   void Descend(const std::vector<GraphSeed>& seeds, double smallestOffset, Tree& tree,
     std::vector<Arrival>& arrivals) const;
