@@ -330,7 +330,7 @@ public:
     });
     for (const dgg::SearchResult& result : results)
     {
-      this->Results.push_back({ result.Distances, result.Corrected, result.Seeds });
+      this->Results.push_back({ result.Distances, result.Corrected, result.Seeds, {}, {} });
     }
     line.Add("threads", threads);
     line.Add("edges", static_cast<double>(this->Graph.Targets.Size()));
