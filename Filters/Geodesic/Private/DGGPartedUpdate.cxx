@@ -170,13 +170,13 @@ dgg::Status DGGPartedUpdate::FindParts(const DGGProcesses& processes, vtkIdType 
   });
   DGG_RETURN_IF_ERROR(processes.Agree(here));
   const vtkIdType sum = processes.Sum(numberOfPoints);
-  if (sum > limit)
-  {
-    return dgg::InvalidInput("The pieces of all processes have ", sum,
-      " points together, more than the {GatherLimit} of ", limit)
-      .At("GatherLimit")
-      .Fix("Raise {GatherLimit} if the first process has the memory, or use a smaller surface");
-  }
+  // The limits of processes may differ.
+  DGG_RETURN_IF_ERROR(processes.Agree(processes.IsFirst() && sum > limit
+      ? dgg::InvalidInput("The pieces of all processes have ", sum,
+          " points together, more than the {GatherLimit} of ", limit)
+          .At("GatherLimit")
+          .Fix("Raise {GatherLimit} if the first process has the memory, or use a smaller surface")
+      : dgg::Status::Success()));
   isSame = processes.AndAll(isSame);
   DGG_RETURN_IF_ERROR(this->CheckMemory(processes, memory, isSame));
   dgg::Status joined;
