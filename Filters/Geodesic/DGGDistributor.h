@@ -27,8 +27,8 @@ public:
   virtual void Transfer(vtkMultiProcessController* controller, std::vector<dgg::Message>& sent,
     std::vector<dgg::Message>& received) const = 0;
   /// See dgg::ProcessGroup::ShareMemory.
-  virtual std::shared_ptr<const void> ShareMemory(
-    vtkMultiProcessController* controller, std::vector<dgg::SharedBlock>& blocks) const = 0;
+  virtual bool ShareMemory(vtkMultiProcessController* controller,
+    std::vector<dgg::SharedBlock>& blocks, dgg::SharedCopies& copies) const noexcept = 0;
 
   static void Register(std::unique_ptr<const DGGDistributor> distributor);
   /// Returns the distributor; null if none is registered.

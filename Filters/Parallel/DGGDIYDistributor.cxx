@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Messages over MPI by DIY, memory that MPI shares, and the registration of both.
+/// Messages over MPI by DIY, shared memory of machines, and the registration of both.
 #include "DGGDistributor.h"
 #include "vtkDGGFiltersParallelModule.h"
 
@@ -17,8 +17,18 @@
 // clang-format on
 
 #include <algorithm>
+#include <array>
+#include <cerrno>
+#include <chrono>
 #include <cstddef>
+#include <cstdio>
 #include <memory>
+
+#ifndef _WIN32
+#include <fcntl.h>
+#include <sys/mman.h>
+#include <unistd.h>
+#endif
 
 namespace
 {
@@ -43,23 +53,57 @@ std::size_t Align(std::size_t size)
   return (size + line - 1) / line * line;
 }
 
-/// Memory of a machine. It is released when all processes that share it have released it.
-struct MachineMemory
-{
-  MachineMemory() = default;
-  ~MachineMemory()
-  {
-    if (this->Window != MPI_WIN_NULL)
-    {
-      MPI_Win_free(&this->Window);
-    }
-  }
-  MachineMemory(const MachineMemory&) = delete;
-  void operator=(const MachineMemory&) = delete;
+/// Name of shared memory. macOS limits its length.
+using MemoryName = std::array<char, 32>;
 
-  MPI_Win Window = MPI_WIN_NULL;
-  char* Data = nullptr;
-};
+#ifdef _WIN32
+void* MapMemory(MemoryName&, std::size_t, bool)
+{
+  return nullptr;
+}
+void Unlink(const MemoryName&) {}
+void Unmap(void*, std::size_t) {}
+#else
+/// Creates memory of a machine, which other processes can then map by its name, or maps existing
+/// memory for reading. Returns null if this is impossible.
+void* MapMemory(MemoryName& name, std::size_t size, bool isCreator)
+{
+  if (isCreator)
+  {
+    const auto now = std::chrono::system_clock::now().time_since_epoch().count();
+    std::snprintf(name.data(), name.size(), "/dgg-%x-%llx", static_cast<unsigned int>(getpid()),
+      static_cast<unsigned long long>(now));
+  }
+  const int file = shm_open(name.data(), isCreator ? O_RDWR | O_CREAT | O_EXCL : O_RDONLY, 0600);
+  if (file < 0)
+  {
+    return nullptr;
+  }
+  const auto end = static_cast<off_t>(size);
+  int error = 0;
+#ifdef __APPLE__
+  error = isCreator ? ftruncate(file, end) : 0;
+#else
+  do
+  {
+    error = isCreator ? posix_fallocate(file, 0, end) : 0; // reserves pages: writes cannot fail
+  } while (error == EINTR);
+#endif
+  void* const data = error == 0
+    ? mmap(nullptr, size, isCreator ? PROT_READ | PROT_WRITE : PROT_READ, MAP_SHARED, file, 0)
+    : MAP_FAILED;
+  close(file);
+  return data != MAP_FAILED ? data : nullptr;
+}
+void Unlink(const MemoryName& name)
+{
+  shm_unlink(name.data());
+}
+void Unmap(void* data, std::size_t size)
+{
+  munmap(data, size);
+}
+#endif
 
 class DIYDistributor : public DGGDistributor
 {
@@ -102,15 +146,14 @@ public:
     }
   }
 
-  std::shared_ptr<const void> ShareMemory(
-    vtkMultiProcessController* controller, std::vector<dgg::SharedBlock>& blocks) const override
+  bool ShareMemory(vtkMultiProcessController* controller, std::vector<dgg::SharedBlock>& blocks,
+    dgg::SharedCopies& copies) const noexcept override
   {
     std::size_t size = 0;
     for (const dgg::SharedBlock& block : blocks)
     {
       size += Align(block.Size);
     }
-    const auto memory = std::make_shared<MachineMemory>();
     const MPI_Comm all =
       *vtkMPICommunicator::SafeDownCast(controller->GetCommunicator())->GetMPIComm()->GetHandle();
     const int here = controller->GetLocalProcessId();
@@ -118,55 +161,61 @@ public:
     MPI_Comm machine = MPI_COMM_NULL;
     MPI_Comm_split_type(
       all, isFirst ? MPI_UNDEFINED : MPI_COMM_TYPE_SHARED, here, MPI_INFO_NULL, &machine);
+    MemoryName name{};
     int rank = 0; // on the machine
-    int isShared = 1;
     if (!isFirst)
     {
       MPI_Comm_rank(machine, &rank);
-      MPI_Comm_set_errhandler(machine, MPI_ERRORS_RETURN);
-      auto bytes = static_cast<MPI_Aint>(rank == 0 ? size : 0);
-      int unit = 1;
-      if (MPI_Win_allocate_shared(
-            bytes, unit, MPI_INFO_NULL, machine, &memory->Data, &memory->Window) != MPI_SUCCESS)
-      {
-        memory->Window = MPI_WIN_NULL;
-        isShared = 0;
-      }
-      else
-      {
-        MPI_Win_shared_query(memory->Window, 0, &bytes, &unit, &memory->Data);
-      }
+      void* const created = rank == 0 ? MapMemory(name, size, true) : nullptr;
+      MPI_Bcast(name.data(), static_cast<int>(name.size()), MPI_CHAR, 0, machine);
+      copies = dgg::SharedCopies(
+        rank == 0 ? created : MapMemory(name, size, false), dgg::CopyRelease{ size, Unmap });
+    }
+    int isShared = isFirst || copies ? 1 : 0;
+    MPI_Allreduce(MPI_IN_PLACE, &isShared, 1, MPI_INT, MPI_MIN, all);
+    if (!isFirst && rank == 0)
+    {
+      Unlink(name); // all processes have mapped the memory, and nothing remains after a crash
+    }
+    if (isShared == 1)
+    {
+      this->Copy(all, machine, isFirst || rank == 0, static_cast<char*>(copies.get()), blocks);
+    }
+    if (!isFirst)
+    {
       MPI_Comm_free(&machine);
     }
-    MPI_Allreduce(MPI_IN_PLACE, &isShared, 1, MPI_INT, MPI_MIN, all);
-    if (isShared == 0)
-    {
-      return nullptr;
-    }
+    return isShared == 1;
+  }
+
+private:
+  /// Copies blocks from the first process to the memory of each machine. One process of each
+  /// machine `receives` them; the first process sends them and has no machine.
+  void Copy(MPI_Comm all, MPI_Comm machine, bool receives, char* memory,
+    std::vector<dgg::SharedBlock>& blocks) const
+  {
+    const bool isFirst = machine == MPI_COMM_NULL;
     MPI_Comm receivers = MPI_COMM_NULL; // one per machine, and the first process
-    MPI_Comm_split(all, rank == 0 ? 0 : MPI_UNDEFINED, here, &receivers);
-    char* next = memory->Data;
+    MPI_Comm_split(all, receives ? 0 : MPI_UNDEFINED, isFirst ? 0 : 1, &receivers);
     for (dgg::SharedBlock& block : blocks)
     {
-      char* const data = isFirst ? static_cast<char*>(const_cast<void*>(block.Data)) : next;
-      for (std::size_t begin = 0; begin < block.Size && rank == 0; begin += LongestMessage)
+      char* const data = isFirst ? static_cast<char*>(const_cast<void*>(block.Data)) : memory;
+      for (std::size_t begin = 0; begin < block.Size && receives; begin += LongestMessage)
       {
         const std::size_t count = std::min(LongestMessage, block.Size - begin);
         MPI_Bcast(data + begin, static_cast<int>(count), MPI_BYTE, 0, receivers);
       }
       block.Data = data;
-      next += isFirst ? 0 : Align(block.Size);
+      memory += isFirst ? 0 : Align(block.Size);
     }
-    if (rank == 0)
+    if (receives)
     {
       MPI_Comm_free(&receivers);
     }
     if (!isFirst)
     {
-      MPI_Win_fence(
-        MPI_MODE_NOSUCCEED, memory->Window); // makes the copies visible to all processes
+      MPI_Barrier(machine); // the copies are complete
     }
-    return memory;
   }
 };
 }

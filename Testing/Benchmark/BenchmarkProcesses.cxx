@@ -134,8 +134,9 @@ public:
       this->Resumed = ThreadSeconds();
       return status;
     };
-    this->Group.ShareMemory = [this](std::vector<dgg::SharedBlock>& blocks) {
-      return DGGDistributor::Get()->ShareMemory(this->Controller, blocks);
+    this->Group.ShareMemory = [this](
+                                std::vector<dgg::SharedBlock>& blocks, dgg::SharedCopies& copies) {
+      return DGGDistributor::Get()->ShareMemory(this->Controller, blocks, copies);
     };
   }
 

@@ -18,6 +18,7 @@
 #include <mutex>
 #include <new>
 #include <thread>
+#include <tuple>
 
 namespace
 {
@@ -190,6 +191,7 @@ public:
   }
 
   std::vector<dgg::Status> Statuses = std::vector<dgg::Status>(Count);
+  bool ShareMemory = true; ///< if false, sharing fails
 
 private:
   /// Returns the number of allocations.
@@ -219,7 +221,7 @@ private:
       this->Meeting.Wait();
       return all;
     };
-    group.ShareMemory = [&](std::vector<dgg::SharedBlock>& blocks) {
+    group.ShareMemory = [&](std::vector<dgg::SharedBlock>& blocks, dgg::SharedCopies&) {
       for (std::size_t i = 0; i < blocks.size() && here == 0; ++i)
       {
         this->Copies[i].reset(std::malloc(1 + blocks[i].Size));
@@ -231,7 +233,7 @@ private:
       {
         blocks[i].Data = this->Copies[i].get();
       }
-      return this->Owner;
+      return this->ShareMemory;
     };
     constexpr std::size_t all = std::numeric_limits<std::size_t>::max();
     AllocationsLeft = failing > 0 ? failing : all;
@@ -253,7 +255,6 @@ private:
   std::size_t NumberOfAllocations = 0; // of the poor process
   std::vector<std::vector<dgg::Message>*> Sent = std::vector<std::vector<dgg::Message>*>(Count);
   std::array<std::unique_ptr<void, Free>, 16> Copies; // of shared blocks
-  const std::shared_ptr<const void> Owner = std::make_shared<int>();
   MeetingPoint Meeting;
 };
 
@@ -285,6 +286,20 @@ struct PieceBuild
   std::vector<Piece> Pieces;
   std::vector<dgg::GraphEstimate> Estimates = std::vector<dgg::GraphEstimate>(Count);
 };
+/// Returns sources, columns and distances of rows.
+std::vector<std::tuple<std::size_t, Id, double>> Flatten(const std::vector<dgg::DistanceRow>& rows)
+{
+  std::vector<std::tuple<std::size_t, Id, double>> entries;
+  for (std::size_t source = 0; source < rows.size(); ++source)
+  {
+    for (const dgg::RowEntry& entry : rows[source])
+    {
+      entries.emplace_back(source, entry.Column, entry.Distance);
+    }
+  }
+  return entries;
+}
+
 }
 
 /// Each allocation may fail, in a step of one process or between the messages to other processes.
@@ -294,7 +309,8 @@ TEST(PieceGraphMemory, OneProcessRunsOutOfMemory)
   Processes().ExpectErrors(Count - 1, std::ref(build));
 }
 
-/// The same is true while processes find rows, with and without targets.
+/// The same is true while processes find rows, with and without targets, and while the first
+/// process finds them alone because memory cannot be shared.
 TEST(MatrixRowsMemory, OneProcessRunsOutOfMemory)
 {
   const GraphWorld world(Terrain(8, 0.4, 3), 0.05);
@@ -311,7 +327,8 @@ TEST(MatrixRowsMemory, OneProcessRunsOutOfMemory)
     options.SearchRadius = 1.5; // local: GroupSources() would use std::stable_sort with less memory
     options.HasTargets = hasTargets;
     const dgg::GraphSearch search(world.Graph.View(), &world.Surface->GetMesh());
-    const auto find = [&](dgg::ProcessGroup* group, std::vector<std::size_t>& sizes) {
+    using Rows = std::vector<dgg::DistanceRow>;
+    const auto find = [&](dgg::ProcessGroup* group, Rows& rows) {
       dgg::TaskContext context{ *world.Surface, {}, 1, nullptr, nullptr, nullptr };
       context.Group = group;
       if (group && group->Here > 0)
@@ -319,18 +336,29 @@ TEST(MatrixRowsMemory, OneProcessRunsOutOfMemory)
         return dgg::HelpFirst(context);
       }
       return dgg::FindRows(context, search, links, options, nullptr,
-        [&](std::size_t source, const dgg::DistanceRow& row) { sizes[source] = row.size(); });
+        [&](std::size_t source, dgg::DistanceRow& row) { rows[source].swap(row); });
     };
-    std::vector<std::size_t> expected(options.NumberOfSources);
+    Rows expected(options.NumberOfSources);
     ASSERT_TRUE(Ok(find(nullptr, expected)));
     for (const int poor : { 0, Count - 1 })
     {
-      std::vector<std::size_t> sizes(options.NumberOfSources);
-      Processes().ExpectErrors(poor, [&](dgg::ProcessGroup& group) {
-        DGG_RETURN_IF_ERROR(find(&group, sizes));
-        return group.Here > 0 ? dgg::Status::Success() : dgg::DismissHelpers(group);
-      });
-      EXPECT_EQ(sizes, expected);
+      for (const bool canShare : { true, false })
+      {
+        Processes processes;
+        processes.ShareMemory = canShare;
+        Rows rows;
+        const auto step = [&](dgg::ProcessGroup& group) {
+          if (group.Here == 0)
+          {
+            rows.assign(options.NumberOfSources, {});
+          }
+          DGG_RETURN_IF_ERROR(find(&group, rows));
+          return group.Here > 0 ? dgg::Status::Success() : dgg::DismissHelpers(group);
+        };
+        processes.ExpectErrors(poor, step);
+        processes.Run(poor, 0, dgg::Infinity, step);
+        EXPECT_EQ(Flatten(rows), Flatten(expected));
+      }
     }
   }
 }

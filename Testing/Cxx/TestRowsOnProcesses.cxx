@@ -9,6 +9,14 @@
 
 #include "vtkTable.h"
 
+#ifdef __linux__
+#include <csignal>
+#include <filesystem>
+#include <sstream>
+#include <sys/resource.h>
+#include <unistd.h>
+#endif
+
 using namespace dggtest;
 
 namespace
@@ -108,6 +116,33 @@ TEST_F(RowsOnProcesses, DistancesOfOneProcess)
     matrix->SetColumnIds(columns);
   });
 }
+
+#ifdef __linux__
+//------------------------------------------------------------------------------
+/// Shared memory has no file after an update. If it cannot be allocated, here because files must
+/// not have more than one byte, rows are those of one process, too.
+TEST_F(RowsOnProcesses, SharedMemory)
+{
+  std::stringstream name;
+  name << "dgg-" << std::hex << getpid() << '-';
+  const auto before = std::signal(SIGXFSZ, SIG_IGN);
+  rlimit limit{};
+  getrlimit(RLIMIT_FSIZE, &limit);
+  for (const rlim_t bytes : { limit.rlim_cur, rlim_t{ 1 } })
+  {
+    const rlimit changed{ bytes, limit.rlim_max };
+    setrlimit(RLIMIT_FSIZE, &changed);
+    this->ExpectRowsOfOne(
+      this->Surface, [&](auto* matrix) { matrix->SetRowIds(ChooseIds(this->Surface, 40)); });
+    setrlimit(RLIMIT_FSIZE, &limit);
+    for (const auto& file : std::filesystem::directory_iterator("/dev/shm"))
+    {
+      EXPECT_NE(file.path().filename().string().rfind(name.str(), 0), 0u) << file.path();
+    }
+  }
+  std::signal(SIGXFSZ, before);
+}
+#endif
 
 //------------------------------------------------------------------------------
 /// Compressed rows, corrected or not, are those of one process, also where points are merged.

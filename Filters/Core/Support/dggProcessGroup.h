@@ -12,7 +12,7 @@
 #include <cstddef>     // for std::size_t
 #include <cstring>     // for std::memcpy
 #include <functional>  // for the transfer
-#include <memory>      // for shared memory
+#include <memory>      // for std::unique_ptr
 #include <type_traits> // for std::is_trivially_copyable
 #include <utility>     // for std::move
 #include <vector>      // for messages
@@ -79,6 +79,18 @@ struct SharedBlock
   std::size_t Size = 0;
 };
 
+/// Releases the memory of SharedCopies.
+struct CopyRelease
+{
+  std::size_t Size = 0; ///< bytes
+  void (*Release)(void* data, std::size_t size) = nullptr;
+
+  void operator()(void* data) const { this->Release(data, this->Size); }
+};
+
+/// Owner of the copies of ProcessGroup::ShareMemory on one process; null on the first process.
+using SharedCopies = std::unique_ptr<void, CopyRelease>;
+
 /// Processes that compute a result together. All of them must call the same functions in the same
 /// order, because the functions return when all processes have called them.
 ///
@@ -96,13 +108,11 @@ public:
   std::function<void(std::vector<Message>& sent, std::vector<Message>& received)> Transfer;
   /// Returns success if all processes succeeded, otherwise the error of the first one that failed.
   std::function<Status(const Status&)> FindFailure;
-  /// Copies arrays of the first process to the machines of the others, where blocks of these sizes
-  /// become the addresses of the copies. All other processes of a machine read the same copy. The
-  /// first process keeps its arrays. Returns the owner of the copies; null on all processes if one
-  /// of them cannot share memory.
-  std::function<std::shared_ptr<const void>(std::vector<SharedBlock>& blocks)> ShareMemory;
-  /// Owner of the copies. Processes release the copies together, hence with the group.
-  std::shared_ptr<const void> Shared;
+  /// Copies arrays of the first process to each machine with other processes. On these processes,
+  /// `blocks` receives the addresses of the copies; sizes are equal on all processes. `copies`
+  /// becomes the owner. Returns false on all processes if one of them cannot share memory. Must not
+  /// throw.
+  std::function<bool(std::vector<SharedBlock>& blocks, SharedCopies& copies)> ShareMemory;
 
   /// Returns success if all processes pass success, otherwise the same error on all processes.
   Status Agree(const Status& status)

@@ -214,9 +214,10 @@ Status RowSearch::RunTogether(
 }
 
 /// Copies the arrays of a task from the first process to the others. `isShared` becomes false on
-/// all processes if there is no task, or if this is impossible. `inUse` becomes the number of bytes
-/// for the task.
-Status ShareTask(const TaskContext& context, RowTask& task, bool& isShared, double& inUse)
+/// all processes if there is no task or memory cannot be shared. `inUse` becomes the number of
+/// bytes for the task.
+Status ShareTask(
+  const TaskContext& context, RowTask& task, SharedCopies& copies, bool& isShared, double& inUse)
 {
   ProcessGroup& group = *context.Group;
   isShared = false;
@@ -235,9 +236,7 @@ Status ShareTask(const TaskContext& context, RowTask& task, bool& isShared, doub
     group.Agree(group.Here == 0 ? Status::Success()
                                 : context.Memory.Check("A process that finds rows of the matrix",
                                     inUse, "Use fewer processes or threads")));
-  group.Shared = nullptr; // before memory for the next task is allocated
-  group.Shared = group.ShareMemory(blocks);
-  isShared = group.Shared != nullptr;
+  isShared = group.ShareMemory(blocks, copies);
   std::size_t next = 0;
   task.ForEachArray([&](auto& values, std::size_t) {
     using Pointer = std::remove_reference_t<decltype(values)>;
@@ -284,9 +283,10 @@ Status FindRows(const TaskContext& context, const GraphSearch& search, const Row
   task.GroupEnds = ends.data();
   task.NumberOfGroups = ends.size();
   task.Reach = plan.Reach;
+  SharedCopies copies;
   bool isShared = false;
   double inUse = 0.0;
-  DGG_RETURN_IF_ERROR(ShareTask(context, task, isShared, inUse));
+  DGG_RETURN_IF_ERROR(ShareTask(context, task, copies, isShared, inUse));
   return isShared ? rows.RunTogether(inUse, progress, consume) : rows.Run(plan, progress, consume);
 }
 
@@ -301,9 +301,10 @@ Status HelpFirst(const TaskContext& context)
   for (;;)
   {
     RowTask task;
+    SharedCopies copies;
     bool isShared = false;
     double inUse = 0.0;
-    DGG_RETURN_IF_ERROR(ShareTask(context, task, isShared, inUse));
+    DGG_RETURN_IF_ERROR(ShareTask(context, task, copies, isShared, inUse));
     if (task.Options.NumberOfSources == 0)
     {
       return Status::Success();

@@ -343,8 +343,8 @@ bool DGGProcesses::FindGroup(bool canJoin, dgg::ProcessGroup& group) const
     distributor->Transfer(controller, sent, received);
   };
   group.ShareMemory = [distributor, controller = this->Controller](
-                        std::vector<dgg::SharedBlock>& blocks) {
-    return distributor->ShareMemory(controller, blocks);
+                        std::vector<dgg::SharedBlock>& blocks, dgg::SharedCopies& copies) {
+    return distributor->ShareMemory(controller, blocks, copies);
   };
   return true;
 }
