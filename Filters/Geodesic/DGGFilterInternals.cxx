@@ -239,7 +239,6 @@ dgg::Status DGGFilterInternals::Follow(
   }
   dgg::ProcessGroup group;
   const bool isGroup = processes.FindGroup(true, group);
-  group.MemoryLimit = dgg::MakeBudget(this->Filter->MemoryLimit).GetBytes();
   const auto compute = [&](vtkInformationVector** inputs, vtkInformationVector* outputs) {
     return this->Try([&] {
       if (!inputs)

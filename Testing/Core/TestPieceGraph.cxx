@@ -12,6 +12,7 @@
 #include "dggPreparedSurface.h"
 #include "dggTaskContext.h"
 
+#include <atomic>
 #include <chrono>
 #include <condition_variable>
 #include <cstdlib>
@@ -361,6 +362,59 @@ TEST(MatrixRowsMemory, OneProcessRunsOutOfMemory)
       }
     }
   }
+}
+
+/// A process with little memory sends its rows earlier. The limit also covers these rows.
+TEST(MatrixRowsMemory, LimitOfOneProcess)
+{
+  const GraphWorld world(Terrain(40, 0.4, 3), 0.05);
+  const dgg::GraphSearch search(world.Graph.View(), &world.Surface->GetMesh());
+  dgg::RowLinks links;
+  for (Id v = 0; v < world.Graph.GetNumberOfVertices(); ++v)
+  {
+    links.Seeds.push_back({ v, 0.0, 0.0, v, -1.0 });
+  }
+  dgg::RowOptions options;
+  options.NumberOfSources = links.Seeds.size();
+  std::atomic<std::size_t> rows{ 0 };
+  Processes processes;
+  const auto canRun = [&](double limit) {
+    rows = 0;
+    processes.Run(-1, 0, dgg::Infinity, [&](dgg::ProcessGroup& group) {
+      dgg::TaskContext context{ *world.Surface, {}, 1, nullptr, nullptr, nullptr };
+      context.Group = &group;
+      if (group.Here > 0)
+      {
+        context.Memory.Limit = group.Here == 1 ? static_cast<std::uint64_t>(limit) : 0;
+        return dgg::HelpFirst(context);
+      }
+      DGG_RETURN_IF_ERROR(dgg::FindRows(context, search, links, options, nullptr,
+        [&](std::size_t, const dgg::DistanceRow&) { ++rows; }));
+      return dgg::DismissHelpers(group);
+    });
+    return processes.Statuses[0].IsOk();
+  };
+  double start = 0.0; // bytes before the first row
+  std::size_t failures = 0;
+  double limit = 5e5;
+  for (; limit < 1e8 && !canRun(limit); limit *= 1.03)
+  {
+    const std::string message = processes.Statuses[0].GetMessage();
+    if (message.find("The matrix so far needs") != std::string::npos)
+    {
+      ++failures;
+    }
+    else
+    {
+      EXPECT_NE(message.find("A process that finds rows"), std::string::npos) << message;
+      start = limit;
+    }
+  }
+  EXPECT_EQ(rows, links.Seeds.size());
+  EXPECT_GT(failures, 0u);
+  // Less than all rows that this process finds.
+  const double all = static_cast<double>(rows * rows / Count * sizeof(dgg::RowEntry));
+  EXPECT_LT(limit - start, 0.1 * all);
 }
 
 /// The limit covers the region of each round of growing, which all windows leave here.

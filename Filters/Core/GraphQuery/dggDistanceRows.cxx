@@ -57,6 +57,12 @@ void SortRow(DistanceRow& row)
     [](const RowEntry& a, const RowEntry& b) { return a.Column < b.Column; });
 }
 
+Status CheckRows(double bytes, double limit)
+{
+  return CheckMemory(
+    "The matrix so far", bytes, limit, "Use fewer rows at a time or a smaller {MaximumDistance}");
+}
+
 Status CompressRows(std::size_t numberOfSources,
   const std::function<Status(const ProgressCallback&, const RowConsumer&)>& search,
   const DistanceRowsOptions& options, const ProgressCallback& progress, DistanceRows& rows)
@@ -75,8 +81,7 @@ Status CompressRows(std::size_t numberOfSources,
     count += row.size();
     found[source].swap(row);
   });
-  DGG_RETURN_IF_ERROR(CheckMemory("The matrix so far", bytes(), options.MemoryLimit,
-    "Use fewer rows at a time or a smaller {MaximumDistance}"));
+  DGG_RETURN_IF_ERROR(CheckRows(bytes(), options.MemoryLimit));
   DGG_RETURN_IF_ERROR(status);
   Compress(found, count, rows);
   return status;

@@ -41,6 +41,9 @@ void SortRow(DistanceRow& row);
 /// simultaneously.
 using RowConsumer = std::function<void(std::size_t source, DistanceRow& row)>;
 
+/// Fails if the rows that are stored so far exceed the limit in bytes.
+Status CheckRows(double bytes, double limit);
+
 struct DistanceRowsOptions
 {
   double MemoryLimit = Infinity; ///< maximum size of the rows in bytes

@@ -9,16 +9,21 @@
 #include "dggTaskContext.h"
 
 #include <algorithm>
+#include <atomic>
 #include <type_traits>
 
 namespace dgg
 {
 namespace
 {
-/// Number of exchanges of rows, and minimum number of groups of sources that each process searches
+/// Number of exchanges of rows, and minimum number of groups of sources that each thread searches
 /// between two exchanges. An exchange waits for the slowest process.
 constexpr std::size_t NumberOfRounds = 8;
 constexpr std::size_t FewestGroups = 4;
+/// Maximum bytes of the rows of a process between two exchanges, and bytes per entry of a row,
+/// which is copied to a message.
+constexpr double LargestRound = 32.0 * 1024.0 * 1024.0;
+constexpr double BytesPerEntry = 2.0 * sizeof(RowEntry);
 /// Approximate bytes per vertex: tables of a search, and its labels in each thread.
 constexpr double BytesOfTables = 40.0;
 constexpr double BytesOfLabels = 120.0;
@@ -38,7 +43,8 @@ struct RowTask
   const std::size_t* Sources = nullptr;   ///< ManyPlan::Groups, one after the other
   const std::size_t* GroupEnds = nullptr; ///< in Sources
   std::size_t NumberOfGroups = 0;
-  std::size_t Reach = 0; ///< ManyPlan::Reach
+  std::size_t Reach = 0;        ///< ManyPlan::Reach
+  std::size_t FewestGroups = 0; ///< per process and round, unless memory is short
 
   /// Calls `visit(array, size)` for each array. Arrays that do not exist are null.
   template <typename Visit>
@@ -98,6 +104,8 @@ public:
     double inUse, const ProgressCallback& progress, const RowConsumer& consume) const;
 
 private:
+  /// Finds the number of groups that each process searches in a round.
+  Status FindRound(double inUse, std::size_t& numberOfGroups) const;
   void Fill(std::size_t source, const double* field, const std::vector<Id>& reached,
     DistanceRow& row) const;
 
@@ -173,6 +181,26 @@ Status RowSearch::Run(
     });
 }
 
+Status RowSearch::FindRound(double inUse, std::size_t& numberOfGroups) const
+{
+  ProcessGroup& group = *this->Context.Group;
+  const RowTask& task = this->Task;
+  const auto processes = static_cast<std::size_t>(group.Count);
+  const std::size_t columns = 1 + (task.Options.HasTargets ? task.NumberOfLinks : task.Reach);
+  const double sourcesPerGroup =
+    static_cast<double>(task.Options.NumberOfSources) / static_cast<double>(task.NumberOfGroups);
+  // The first process receives the rows of all others.
+  const double bytes = std::min(LargestRound, (group.MemoryLimit - inUse) / group.Count);
+  const double most = bytes / (BytesPerEntry * sourcesPerGroup * static_cast<double>(columns));
+  const std::size_t wanted =
+    std::max(task.FewestGroups, task.NumberOfGroups / (NumberOfRounds * processes));
+  std::vector<std::size_t> all;
+  DGG_RETURN_IF_ERROR(group.Share(
+    static_cast<std::size_t>(std::max(1.0, std::min(most, static_cast<double>(wanted)))), all));
+  numberOfGroups = *std::min_element(all.begin(), all.end());
+  return Status::Success();
+}
+
 Status RowSearch::RunTogether(
   double inUse, const ProgressCallback& progress, const RowConsumer& consume) const
 {
@@ -180,9 +208,23 @@ Status RowSearch::RunTogether(
   const auto processes = static_cast<std::size_t>(group.Count);
   const auto here = static_cast<std::size_t>(group.Here);
   const std::size_t size = this->Task.NumberOfGroups;
-  const std::size_t step = processes * std::max(FewestGroups, size / (NumberOfRounds * processes));
+  std::size_t round = 0;
+  DGG_RETURN_IF_ERROR(this->FindRound(inUse, round));
+  const std::size_t step = processes * round;
   std::vector<DistanceRow> rows(here == 0 ? 0 : this->Task.Options.NumberOfSources);
-  const RowConsumer store = [&](std::size_t source, DistanceRow& row) { rows[source].swap(row); };
+  std::atomic<std::size_t> stored{ 0 }; // entries
+  const RowConsumer store = [&](std::size_t source, DistanceRow& row) {
+    stored += row.size();
+    rows[source].swap(row);
+  };
+  const auto checkRows = [&] {
+    return here == 0
+      ? Status::Success()
+      : CheckRows(inUse + BytesPerEntry * static_cast<double>(stored), group.MemoryLimit);
+  };
+  const ProgressCallback shouldContinue = [&](double done) {
+    return checkRows().IsOk() && ShouldContinue(progress, done);
+  };
   for (std::size_t begin = 0; begin < size; begin += step)
   {
     const std::size_t end = std::min(size, begin + step);
@@ -190,8 +232,11 @@ Status RowSearch::RunTogether(
       return static_cast<double>(g) / static_cast<double>(size);
     };
     const ManyPlan plan{ this->Task.GetGroups(begin + here, end, processes), this->Task.Reach };
-    DGG_RETURN_IF_ERROR(this->Run(
-      plan, ProgressPart(progress, getPart(begin), getPart(end)), here == 0 ? consume : store));
+    const Status status = this->Run(plan,
+      ProgressPart(shouldContinue, getPart(begin), getPart(end)), here == 0 ? consume : store);
+    DGG_RETURN_IF_ERROR(checkRows());
+    DGG_RETURN_IF_ERROR(status);
+    stored = 0;
     std::vector<Message> messages(processes);
     if (here > 0)
     {
@@ -221,6 +266,7 @@ Status ShareTask(
 {
   ProcessGroup& group = *context.Group;
   isShared = false;
+  group.MemoryLimit = context.Memory.GetBytes();
   DGG_RETURN_IF_ERROR(group.TakeFromFirst(task));
   if (task.Options.NumberOfSources == 0)
   {
@@ -283,6 +329,7 @@ Status FindRows(const TaskContext& context, const GraphSearch& search, const Row
   task.GroupEnds = ends.data();
   task.NumberOfGroups = ends.size();
   task.Reach = plan.Reach;
+  task.FewestGroups = FewestGroups * static_cast<std::size_t>(context.NumberOfThreads);
   SharedCopies copies;
   bool isShared = false;
   double inUse = 0.0;
