@@ -79,9 +79,11 @@ constexpr double ChoiceShare = 0.2;
 constexpr double LargestNearField = 0.4;
 /// Maximum fraction of the surface that a local search reaches.
 constexpr double LargestLocalPart = 0.25;
-/// Approximate bytes per vertex: tables of a mesh, labels of a search, landmarks.
+/// Approximate bytes per vertex: tables of a mesh, labels of a search, labels of a thread that
+/// searches from many sources, landmarks.
 constexpr std::size_t BytesOfTables = 40;
 constexpr std::size_t BytesOfSearch = 84;
+constexpr std::size_t BytesOfManySearch = 220;
 constexpr std::size_t BytesOfLandmarks = Landmarks::Count * sizeof(std::int16_t) + sizeof(Id);
 
 /// Number of vertices by which data of scattered vertices is prefetched.
@@ -632,6 +634,13 @@ std::size_t GraphSearch::GetMemorySize() const
 {
   const Implementation& internals = *this->Internals;
   return static_cast<std::size_t>(internals.Graph.NumberOfVertices) *
-    (BytesOfSearch + (internals.Mesh ? BytesOfTables : 0) + (this->Marks ? BytesOfLandmarks : 0));
+    (BytesOfSearch + (internals.Correction ? BytesOfTables : 0) +
+      (this->Marks ? BytesOfLandmarks : 0));
+}
+
+double GraphSearch::EstimateMany(Id numberOfVertices, int numberOfThreads)
+{
+  const auto threads = static_cast<std::size_t>(numberOfThreads);
+  return static_cast<double>(BytesOfTables + BytesOfManySearch * threads) * numberOfVertices;
 }
 }

@@ -106,7 +106,7 @@ struct ManyOptions
   bool Correct = false;
 };
 
-/// Tasks of a search from many sources.
+/// Groups of sources for Many().
 struct ManyPlan
 {
   std::vector<std::vector<std::size_t>> Groups; ///< indices of sources that are searched together
@@ -129,9 +129,9 @@ public:
   /// Prepares searches. `mesh` is the mesh of the graph, or null for a cloud; without a mesh, fans
   /// and correction are not available.
   GraphSearch(const GraphView& graph, const SurfaceMesh* mesh);
-  /// Prepares searches with measurements of the mesh, see MeasureVertexAngles(). Such a search
-  /// replaces one with the mesh, except in PlanMany(), Between() and PrepareLandmarks(). No angles
-  /// means that there is no mesh.
+  /// Prepares searches with measurements of the mesh, see MeasureVertexAngles(). Results are those
+  /// of a search with the mesh. PlanMany(), Between() and PrepareLandmarks() need the mesh. No
+  /// angles means that there is no mesh.
   GraphSearch(const GraphView& graph, std::vector<VertexAngle> angles, double meanEdgeLength);
 
   const GraphView& GetGraph() const;
@@ -180,6 +180,9 @@ public:
 
   /// Returns the approximate memory in bytes, without the graph.
   std::size_t GetMemorySize() const;
+  /// Returns the approximate peak memory in bytes of a search and of Many() with this number of
+  /// threads, without the graph and the results.
+  static double EstimateMany(Id numberOfVertices, int numberOfThreads);
 
 private:
   class Implementation;

@@ -24,9 +24,6 @@ constexpr std::size_t FewestGroups = 4;
 /// which is copied to a message.
 constexpr double LargestRound = 32.0 * 1024.0 * 1024.0;
 constexpr double BytesPerEntry = 2.0 * sizeof(RowEntry);
-/// Approximate bytes per vertex: tables of a search, and its labels in each thread.
-constexpr double BytesOfTables = 40.0;
-constexpr double BytesOfLabels = 120.0;
 
 /// Arrays from which a process finds rows. Processes other than the first have copies.
 struct RowTask
@@ -273,7 +270,7 @@ Status ShareTask(
     return Status::Success();
   }
   std::vector<SharedBlock> blocks;
-  inUse = (BytesOfTables + BytesOfLabels * context.NumberOfThreads) * task.Graph.NumberOfVertices;
+  inUse = GraphSearch::EstimateMany(task.Graph.NumberOfVertices, context.NumberOfThreads);
   task.ForEachArray([&](const auto* values, std::size_t size) {
     blocks.push_back({ values, values ? size * sizeof(*values) : 0 });
     inUse += static_cast<double>(blocks.back().Size);
@@ -281,7 +278,7 @@ Status ShareTask(
   DGG_RETURN_IF_ERROR(
     group.Agree(group.Here == 0 ? Status::Success()
                                 : context.Memory.Check("A process that finds rows of the matrix",
-                                    inUse, "Use fewer processes or threads")));
+                                    inUse, "Use fewer threads or a smaller surface")));
   isShared = group.ShareMemory(blocks, copies);
   std::size_t next = 0;
   task.ForEachArray([&](auto& values, std::size_t) {
