@@ -245,7 +245,7 @@ dgg::Status DGGFilterInternals::Follow(
       {
         DGGContext context = this->MakeContext(nullptr);
         context.Group = &group;
-        return isGroup ? dgg::HelpFirst(context) : dgg::Status::Success();
+        return isGroup ? dgg::HelpFirstProcess(context) : dgg::Status::Success();
       }
       DGG_RETURN_IF_ERROR(this->Compute(inputs, outputs, isGroup ? &group : nullptr));
       return isGroup ? dgg::DismissHelpers(group) : dgg::Status::Success();

@@ -382,8 +382,8 @@ void RunRows(
   dgg::GraphOptions options;
   options.Accuracy = arguments.GetNumber("accuracy");
   dgg::GeodesicGraph graph;
-  dgg::RowLinks links;
-  dgg::RowOptions rows;
+  dgg::MatrixRowLinks links;
+  dgg::MatrixRowOptions rows;
   rows.NumberOfSources = arguments.GetInteger("rows");
   rows.HasTargets = true;
   rows.IsSymmetric = true;
@@ -405,11 +405,11 @@ void RunRows(
   line.Add("rows", processes.Measure(arguments.GetInteger("repeats"), [&] {
     if (group.Here > 0)
     {
-      Require(dgg::HelpFirst(context));
+      Require(dgg::HelpFirstProcess(context));
       return;
     }
     const dgg::GraphSearch search(graph.View(), &surface->GetMesh());
-    Require(dgg::FindRows(
+    Require(dgg::FindMatrixRows(
       context, search, links, rows, nullptr, [](std::size_t, const dgg::DistanceRow&) {}));
     if (context.Group)
     {

@@ -317,13 +317,13 @@ TEST(MatrixRowsMemory, OneProcessRunsOutOfMemory)
   const GraphWorld world(Terrain(8, 0.4, 3), 0.05);
   for (const bool hasTargets : { false, true })
   {
-    dgg::RowLinks links;
+    dgg::MatrixRowLinks links;
     for (Id v = 0; v < world.Graph.GetNumberOfVertices(); ++v)
     {
       links.Seeds.push_back({ v, 0.0, 0.0, v, -1.0 });
       links.Targets.resize(hasTargets ? links.Seeds.size() : 0, { v, v, 0.0 });
     }
-    dgg::RowOptions options;
+    dgg::MatrixRowOptions options;
     options.NumberOfSources = links.Seeds.size();
     options.SearchRadius = 1.5; // local: GroupSources() would use std::stable_sort with less memory
     options.HasTargets = hasTargets;
@@ -334,9 +334,9 @@ TEST(MatrixRowsMemory, OneProcessRunsOutOfMemory)
       context.Group = group;
       if (group && group->Here > 0)
       {
-        return dgg::HelpFirst(context);
+        return dgg::HelpFirstProcess(context);
       }
-      return dgg::FindRows(context, search, links, options, nullptr,
+      return dgg::FindMatrixRows(context, search, links, options, nullptr,
         [&](std::size_t source, dgg::DistanceRow& row) { rows[source].swap(row); });
     };
     Rows expected(options.NumberOfSources);
@@ -369,12 +369,12 @@ TEST(MatrixRowsMemory, LimitOfOneProcess)
 {
   const GraphWorld world(Terrain(40, 0.4, 3), 0.05);
   const dgg::GraphSearch search(world.Graph.View(), &world.Surface->GetMesh());
-  dgg::RowLinks links;
+  dgg::MatrixRowLinks links;
   for (Id v = 0; v < world.Graph.GetNumberOfVertices(); ++v)
   {
     links.Seeds.push_back({ v, 0.0, 0.0, v, -1.0 });
   }
-  dgg::RowOptions options;
+  dgg::MatrixRowOptions options;
   options.NumberOfSources = links.Seeds.size();
   std::atomic<std::size_t> rows{ 0 };
   Processes processes;
@@ -386,9 +386,9 @@ TEST(MatrixRowsMemory, LimitOfOneProcess)
       if (group.Here > 0)
       {
         context.Memory.Limit = group.Here == 1 ? static_cast<std::uint64_t>(limit) : 0;
-        return dgg::HelpFirst(context);
+        return dgg::HelpFirstProcess(context);
       }
-      DGG_RETURN_IF_ERROR(dgg::FindRows(context, search, links, options, nullptr,
+      DGG_RETURN_IF_ERROR(dgg::FindMatrixRows(context, search, links, options, nullptr,
         [&](std::size_t, const dgg::DistanceRow&) { ++rows; }));
       return dgg::DismissHelpers(group);
     });

@@ -16,8 +16,8 @@ namespace
 /// Bytes per entry while rows are collected and compressed.
 constexpr std::size_t BytesPerEntry = sizeof(RowEntry) + sizeof(Id) + sizeof(double);
 
-/// Replaces vertices by the points that are merged into them.
-void ReplaceVertices(const std::vector<Id>& nextPoints, DistanceRow& row)
+/// Adds the other points that are merged into the vertices of a row.
+void AddMergedPoints(const std::vector<Id>& nextPoints, DistanceRow& row)
 {
   const std::size_t size = row.size();
   for (std::size_t k = 0; k < size; ++k)
@@ -76,7 +76,7 @@ Status CompressRows(std::size_t numberOfSources,
   const Status status = search(shouldContinue, [&](std::size_t source, DistanceRow& row) {
     if (!options.NextPoints.empty())
     {
-      ReplaceVertices(options.NextPoints, row);
+      AddMergedPoints(options.NextPoints, row);
     }
     count += row.size();
     found[source].swap(row);

@@ -28,7 +28,7 @@ constexpr double BytesPerEntry = 2.0 * sizeof(RowEntry);
 /// Arrays from which a process finds rows. Processes other than the first have copies.
 struct RowTask
 {
-  RowOptions Options; ///< without sources, there is no task
+  MatrixRowOptions Options; ///< without sources, there is no task
   GraphView Graph;
   Offset NumberOfEdges = 0;
   double MeanEdgeLength = 0.0;
@@ -134,7 +134,7 @@ RowSearch::RowSearch(const TaskContext& context, const RowTask& task, const Grap
 void RowSearch::Fill(
   std::size_t source, const double* field, const std::vector<Id>& reached, DistanceRow& row) const
 {
-  const RowOptions& options = this->Task.Options;
+  const MatrixRowOptions& options = this->Task.Options;
   if (!options.HasTargets)
   {
     row.reserve(reached.size());
@@ -290,8 +290,9 @@ Status ShareTask(
 }
 }
 
-Status FindRows(const TaskContext& context, const GraphSearch& search, const RowLinks& links,
-  const RowOptions& options, const ProgressCallback& progress, const RowConsumer& consume)
+Status FindMatrixRows(const TaskContext& context, const GraphSearch& search,
+  const MatrixRowLinks& links, const MatrixRowOptions& options, const ProgressCallback& progress,
+  const RowConsumer& consume)
 {
   RowTask task;
   task.Options = options;
@@ -340,7 +341,7 @@ Status DismissHelpers(ProcessGroup& group)
   return group.TakeFromFirst(none);
 }
 
-Status HelpFirst(const TaskContext& context)
+Status HelpFirstProcess(const TaskContext& context)
 {
   for (;;)
   {

@@ -25,7 +25,7 @@ struct TargetLink
   double Length = 0.0;
 };
 
-struct RowOptions
+struct MatrixRowOptions
 {
   std::size_t NumberOfSources = 0;
   double SearchRadius = Infinity;    ///< see ManyOptions::MaximumDistance
@@ -36,7 +36,7 @@ struct RowOptions
 };
 
 /// Sources and targets that are linked to a graph.
-struct RowLinks
+struct MatrixRowLinks
 {
   std::vector<GraphSeed> Seeds;    ///< of all sources, by GraphSeed::Source
   std::vector<TargetLink> Targets; ///< of all targets, ascending
@@ -44,14 +44,15 @@ struct RowLinks
 
 /// Finds the distances of all sources in the graph of `search`, on the surface of the context. The
 /// other processes of the context find some of the rows. Rows contain reached columns only.
-Status FindRows(const TaskContext& context, const GraphSearch& search, const RowLinks& links,
-  const RowOptions& options, const ProgressCallback& progress, const RowConsumer& consume);
+Status FindMatrixRows(const TaskContext& context, const GraphSearch& search,
+  const MatrixRowLinks& links, const MatrixRowOptions& options, const ProgressCallback& progress,
+  const RowConsumer& consume);
 
 ///@{
-/// Ends and starts the help of other processes, see TaskContext::Group. DismissHelpers() is called
-/// by the first process, HelpFirst() by the others, whose contexts need no surface.
+/// End and start the help of other processes, see TaskContext::Group. DismissHelpers() makes
+/// HelpFirstProcess() return on the other processes, whose contexts need no surface.
 DGG_CORE_EXPORT Status DismissHelpers(ProcessGroup& group);
-DGG_CORE_EXPORT Status HelpFirst(const TaskContext& context);
+DGG_CORE_EXPORT Status HelpFirstProcess(const TaskContext& context);
 ///@}
 }
 

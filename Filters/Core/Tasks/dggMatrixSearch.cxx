@@ -154,7 +154,7 @@ Status MatrixSearch::Run(bool symmetric, double radius, double unreachedValue)
 
 Status MatrixSearch::Search(double radius)
 {
-  RowLinks links;
+  MatrixRowLinks links;
   for (std::size_t i = 0; i < this->Sources.size(); ++i)
   {
     AppendSeeds(this->SourceLinks[i], links.Seeds, static_cast<Id>(i));
@@ -166,12 +166,12 @@ Status MatrixSearch::Search(double radius)
       links.Targets.push_back({ static_cast<Id>(j), link.Vertex, link.Length });
     }
   }
-  RowOptions options;
+  MatrixRowOptions options;
   options.NumberOfSources = this->Sources.size();
   options.SearchRadius = radius;
   options.HasTargets = true;
   options.IsSymmetric = this->IsSymmetric;
-  return FindRows(this->Context, this->Graph.GetSearch(), links, options,
+  return FindMatrixRows(this->Context, this->Graph.GetSearch(), links, options,
     ProgressPart(this->Progress, this->Done, 1.0),
     [this](std::size_t source, const DistanceRow& row) {
       for (const RowEntry& entry : row)
@@ -246,15 +246,15 @@ void CopyColumns(const double* matrix, std::size_t numberOfRows,
 Status FindDistanceRows(const TaskContext& context, GraphSession& graph,
   const std::vector<GeodesicSource>& sources, double radius, bool correct, DistanceRows& rows)
 {
-  RowLinks links;
+  MatrixRowLinks links;
   DGG_RETURN_IF_ERROR(graph.MakeSeeds(context, sources, links.Seeds));
-  RowOptions wanted;
+  MatrixRowOptions wanted;
   wanted.NumberOfSources = sources.size();
   wanted.Correct = correct && !context.Surface.IsCloud();
   wanted.MaximumDistance = radius;
   wanted.SearchRadius = wanted.Correct ? graph.WidenLimit(radius, sources) : radius;
   const auto search = [&](const ProgressCallback& progress, const RowConsumer& consume) {
-    return FindRows(context, graph.GetSearch(), links, wanted, progress, consume);
+    return FindMatrixRows(context, graph.GetSearch(), links, wanted, progress, consume);
   };
   const DistanceRowsOptions options{ context.Memory.GetBytes(), FindNextPoints(context.Surface) };
   return CompressRows(sources.size(), search, options, graph.GetRemainingProgress(context), rows);

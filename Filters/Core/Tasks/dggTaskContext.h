@@ -29,8 +29,8 @@ struct TaskContext
   /// first call.
   std::function<const SurfaceArrays&()> GetCells;
   /// Processes that help the first one, which has the surface; null if there are none. The first
-  /// process calls DismissHelpers() after the task, the others call HelpFirst() instead of the
-  /// task.
+  /// process calls DismissHelpers() after the task, the others call HelpFirstProcess() instead of
+  /// the task.
   ProcessGroup* Group = nullptr;
 };
 }
