@@ -26,7 +26,7 @@ if [ "${1:-}" = --all ]; then
   all=ON
   extra_data="${DGG_EXTRA_DATA:-}"
   # Boost's graphs, CGAL and CHOLMOD are independent implementations to check against; Doxygen checks
-  # comments; CPack asks file.
+  # comments; CPack runs the program file.
   packages+=(libbenchmark-dev libboost-graph-parallel-dev libboost-mpi-dev libcgal-dev
     libsuitesparse-dev doxygen file glmark2-data python3-venv)
 fi

@@ -26,6 +26,7 @@ struct DistanceRows
   Buffer<double> Distances;
 };
 
+/// Distance from the source of a row.
 struct RowEntry
 {
   Id Column;

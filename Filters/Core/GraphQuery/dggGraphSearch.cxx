@@ -277,7 +277,7 @@ public:
   mutable std::mutex MarksMutex;
   mutable std::weak_ptr<const Landmarks> Marks; ///< landmarks in use by any copy
 
-  /// Returns the fans, with a mesh made at the first call; null where there are no angles.
+  /// Returns the fans, which are made from the mesh at the first call; null without angles.
   const GraphFans* GetFans() const
   {
     std::call_once(this->FansOnce, [this] {

@@ -447,6 +447,17 @@ std::vector<Id> SurfaceRegion::GetOrder() const
   return order;
 }
 
+/// Returns the cells in the order of global ids.
+std::vector<std::size_t> SurfaceRegion::GetOrderOfCells() const
+{
+  std::vector<std::size_t> cells(this->Cells.size());
+  std::iota(cells.begin(), cells.end(), 0);
+  std::sort(cells.begin(), cells.end(), [this](std::size_t a, std::size_t b) {
+    return this->Cells[a].GlobalId < this->Cells[b].GlobalId;
+  });
+  return cells;
+}
+
 RegionPolygons SurfaceRegion::MakePolygons() const
 {
   RegionPolygons polygons;
@@ -459,13 +470,8 @@ RegionPolygons SurfaceRegion::MakePolygons() const
     const auto at = this->Positions.begin() + 3 * static_cast<Offset>(order[i]);
     polygons.Positions.insert(polygons.Positions.end(), at, at + 3);
   }
-  std::vector<std::size_t> cells(this->Cells.size());
-  std::iota(cells.begin(), cells.end(), 0);
-  std::sort(cells.begin(), cells.end(), [this](std::size_t a, std::size_t b) {
-    return this->Cells[a].GlobalId < this->Cells[b].GlobalId;
-  });
   polygons.Offsets.push_back(0);
-  for (const std::size_t c : cells)
+  for (const std::size_t c : this->GetOrderOfCells())
   {
     const Cell& cell = this->Cells[c];
     std::transform(this->Corners.begin() + static_cast<Offset>(cell.Begin),
@@ -522,15 +528,10 @@ void SurfaceRegion::MakeMesh(RegionMesh& region) const
   {
     region.IsRim[rank[point]] = 1;
   }
-  std::vector<std::size_t> cells(this->Cells.size());
-  std::iota(cells.begin(), cells.end(), 0);
-  std::sort(cells.begin(), cells.end(), [this](std::size_t a, std::size_t b) {
-    return this->Cells[a].GlobalId < this->Cells[b].GlobalId;
-  });
   PolygonTriangulator triangulator(positions.data());
   std::vector<Id> triangles;
   std::vector<Id> corners;
-  for (const std::size_t c : cells)
+  for (const std::size_t c : this->GetOrderOfCells())
   {
     const Cell& cell = this->Cells[c];
     corners.clear();

@@ -80,6 +80,7 @@ public:
   /// defects at points that belong to this process.
   SurfaceFacts MeasureFacts(const RegionMesh& region) const;
 
+  /// Returns the polygons of the region.
   RegionPolygons MakePolygons() const;
 
   /// Returns the size in bytes.
@@ -121,6 +122,7 @@ private:
   Id AddPoint(Offset globalId, const double* position, Id holders);
   Id GetSet(const std::vector<int>& holders);
   const std::vector<int>& GetHolders(Id point) const { return this->Sets[this->Holders[point]]; }
+  std::vector<std::size_t> GetOrderOfCells() const;
   void AddToRim(Id point);
   void Answer(std::size_t process, const std::vector<Offset>& requested, Message& answer);
   void AddCells(const Message& message);

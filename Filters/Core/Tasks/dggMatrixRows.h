@@ -25,6 +25,7 @@ struct TargetLink
   double Length = 0.0;
 };
 
+/// Rows that are requested.
 struct MatrixRowOptions
 {
   std::size_t NumberOfSources = 0;
@@ -49,7 +50,7 @@ Status FindMatrixRows(const TaskContext& context, const GraphSearch& search,
   const RowConsumer& consume);
 
 ///@{
-/// End and start the help of other processes, see TaskContext::Group. DismissHelpers() makes
+/// Steps of processes that help the first one, see TaskContext::Group. DismissHelpers() makes
 /// HelpFirstProcess() return on the other processes, whose contexts need no surface.
 DGG_CORE_EXPORT Status DismissHelpers(ProcessGroup& group);
 DGG_CORE_EXPORT Status HelpFirstProcess(const TaskContext& context);

@@ -29,7 +29,7 @@ struct PieceSeed
   GraphSeed Seed;
 };
 
-/// Relay of a vertex (IsStraight()), which any process may have.
+/// Relay of a vertex (IsStraight()): a point of any process.
 struct PieceRelay
 {
   Offset PointId = NoId; ///< global
