@@ -195,6 +195,17 @@ public:
     return this->Swap(all);
   }
 
+  /// Replaces a value by the sum of those of all processes, in their order.
+  template <typename T>
+  Status Sum(T& value)
+  {
+    std::vector<T> all;
+    DGG_RETURN_IF_ERROR(this->Share(value, all));
+    value = all.front();
+    std::for_each(all.begin() + 1, all.end(), [&](const T& other) { value.Add(other); });
+    return Status::Success();
+  }
+
   /// Replaces a value by that of the first process.
   template <typename T>
   Status TakeFromFirst(T& value)

@@ -52,6 +52,12 @@ struct PieceFaces
 {
   LengthSum Edges;
   MeanAnisotropy Anisotropy;
+
+  void Add(const PieceFaces& piece)
+  {
+    this->Edges.Add(piece.Edges);
+    this->Anisotropy.Add(piece.Anisotropy);
+  }
 };
 
 /// Numbers of points and cells of a piece.
@@ -60,6 +66,13 @@ struct PieceNumbers
   IdRange Points; // that belong to the process
   IdRange Cells;
   bool AreTriangles = true;
+
+  void Add(const PieceNumbers& piece)
+  {
+    this->Points.Add(piece.Points);
+    this->Cells.Add(piece.Cells);
+    this->AreTriangles = this->AreTriangles && piece.AreTriangles;
+  }
 };
 
 /// Replaces the ids in an array by `idOf(id)`; NoId is kept.
@@ -121,29 +134,22 @@ Status PieceSurface::CheckFaces(ProcessGroup& group, bool& isUsable)
   SurfaceFacts facts = this->Region.MeasureFacts(region);
   const SurfaceMesh& mesh = region.Mesh;
   DGG_RETURN_IF_ERROR(facts.Share(group));
-  PieceFaces all{ LengthSum(facts.LongestEdge), {} };
-  PieceFaces here = all;
+  PieceFaces faces{ LengthSum(facts.LongestEdge), {} };
   for (Id f = 0; f < mesh.GetNumberOfFaces(); ++f)
   {
     if (region.CellIds[f] != NoId && !mesh.IsDropped(f))
     {
-      here.Anisotropy.Add(mesh, f);
+      faces.Anisotropy.Add(mesh, f);
       for (Id h = 3 * f; h < 3 * f + 3; ++h)
       {
-        here.Edges.Add(mesh.Length(h), FindEdge(mesh, h) == h);
+        faces.Edges.Add(mesh.Length(h), FindEdge(mesh, h) == h);
       }
     }
   }
-  std::vector<PieceFaces> pieces;
-  DGG_RETURN_IF_ERROR(group.Share(here, pieces));
-  for (const PieceFaces& piece : pieces)
-  {
-    all.Edges.Add(piece.Edges);
-    all.Anisotropy.Add(piece.Anisotropy);
-  }
-  this->MeanEdgeLength = all.Edges.GetMean();
-  isUsable =
-    facts.IsRegular && facts.Defects.NonManifoldEdges == 0 && !MayHaveLongTriangles(all.Anisotropy);
+  DGG_RETURN_IF_ERROR(group.Sum(faces));
+  this->MeanEdgeLength = faces.Edges.GetMean();
+  isUsable = facts.IsRegular && facts.Defects.NonManifoldEdges == 0 &&
+    !MayHaveLongTriangles(faces.Anisotropy);
   return Status::Success();
 }
 
@@ -166,15 +172,8 @@ Status PieceSurface::CheckIds(ProcessGroup& group, const SurfacePiece& piece, bo
       here.Cells.Add(this->Polygons.CellIds[i]);
     }
   }
-  std::vector<PieceNumbers> pieces;
-  DGG_RETURN_IF_ERROR(group.Share(here, pieces));
-  PieceNumbers all;
-  for (const PieceNumbers& numbers : pieces)
-  {
-    all.Points.Add(numbers.Points);
-    all.Cells.Add(numbers.Cells);
-    all.AreTriangles = all.AreTriangles && numbers.AreTriangles;
-  }
+  PieceNumbers all = here;
+  DGG_RETURN_IF_ERROR(group.Sum(all));
   this->FirstPoint = all.Points.First;
   this->FirstCell = all.Cells.First;
   isUsable = all.Points.IsConsecutive() && all.Cells.IsConsecutive() &&

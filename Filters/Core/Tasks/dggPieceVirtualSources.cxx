@@ -23,6 +23,12 @@ struct PieceTriangles
 {
   ReachedTriangles Reached;
   MeanAnisotropy Anisotropy;
+
+  void Add(const PieceTriangles& piece)
+  {
+    this->Reached.Add(piece.Reached);
+    this->Anisotropy.Add(piece.Anisotropy);
+  }
 };
 
 /// Length of the virtual source of the k-th relay in a list of requested ones.
@@ -69,25 +75,18 @@ Status PieceVirtualSources::CheckTriangles(
 {
   const SurfaceMesh& mesh = this->Mesh.Mesh;
   const std::vector<double> distances = this->ToMesh(labels);
-  PieceTriangles here;
+  PieceTriangles triangles;
   for (Id f = 0; f < mesh.GetNumberOfFaces(); ++f)
   {
     if (this->Mesh.CellIds[f] != NoId)
     {
-      here.Reached.Add(mesh, f, distances);
-      here.Anisotropy.Add(mesh, f);
+      triangles.Reached.Add(mesh, f, distances);
+      triangles.Anisotropy.Add(mesh, f);
     }
   }
-  std::vector<PieceTriangles> pieces;
-  DGG_RETURN_IF_ERROR(group.Share(here, pieces));
-  PieceTriangles all;
-  for (const PieceTriangles& piece : pieces)
-  {
-    all.Reached.Add(piece.Reached);
-    all.Anisotropy.Add(piece.Anisotropy);
-  }
-  areFine = !all.Reached.AreCoarse(accuracy, (1.0 + SumMargin) * ErrorInsideTriangles) &&
-    !MayHaveLongTriangles(all.Anisotropy);
+  DGG_RETURN_IF_ERROR(group.Sum(triangles));
+  areFine = !triangles.Reached.AreCoarse(accuracy, (1.0 + SumMargin) * ErrorInsideTriangles) &&
+    !MayHaveLongTriangles(triangles.Anisotropy);
   return Status::Success();
 }
 
