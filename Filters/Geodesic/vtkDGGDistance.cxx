@@ -4,20 +4,15 @@
 
 #include "DGGDistanceInternals.h"
 #include "DGGGraphUser.h"
+#include "DGGPieceSearches.h"
 
 #include "dggGraphDistances.h"
 #include "dggPieceDistances.h"
-#include "dggPieceLinks.h"
-#include "dggPieceSearch.h"
-#include "dggPieceVirtualSources.h"
 #include "dggProcessGroup.h"
 #include "dggSourceCollection.h"
 
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
-
-#include <memory>
-#include <utility>
 
 vtkStandardNewMacro(vtkDGGDistance);
 
@@ -39,22 +34,7 @@ public:
   }
 
 private:
-  /// Searches in the graph of a piece.
-  struct PieceSearches
-  {
-    dgg::PieceSearch Search;
-    ///@{
-    // Null unless they were needed.
-    std::unique_ptr<dgg::PieceLinks> Links;
-    std::unique_ptr<dgg::PieceVirtualSources> VirtualSources;
-    ///@}
-    DGGGraphArrays::Key Key; // of the graph
-  };
-
-  dgg::Status PreparePiece(const DGGPieceUpdate& update, bool hasPositions, bool wantVirtualSource,
-    std::unique_ptr<PieceSearches>& searches, bool& isDone) const;
-
-  std::unique_ptr<PieceSearches> Searches; // of the last update; null after a failure
+  DGGPieceSearches Searches; // of the last update
 };
 
 vtkDGGInternalsMacro(vtkDGGDistance);
@@ -105,7 +85,7 @@ dgg::Status vtkDGGDistance::vtkInternals::ComputeDistances(
 {
   const dgg::SearchMethod methods[] = { dgg::SearchMethod::Certified,
     dgg::SearchMethod::LabelCorrecting, dgg::SearchMethod::Dijkstra };
-  this->Searches.reset();
+  this->Searches = DGGPieceSearches();
   DGG_RETURN_IF_ERROR(this->GraphUser.Update(context, this->Self));
   return dgg::FindGraphDistances(
     context, this->GraphUser, methods[this->Self->Search], this->Self->Correction, task);
@@ -116,14 +96,10 @@ dgg::Status vtkDGGDistance::vtkInternals::ExecutePiece(
   const DGGContext& context, const DGGPieceUpdate& update, bool& isDone)
 {
   dgg::ProcessGroup& group = update.Group;
-  std::unique_ptr<PieceSearches> searches = std::move(this->Searches); // kept after success only
   dgg::SourceCollection sources;
-  DGG_RETURN_IF_ERROR(this->CollectFromAll(update, sources, isDone));
-  if (isDone)
-  {
-    DGG_RETURN_IF_ERROR(
-      this->GraphUser.UpdatePiece(context, group, update.Piece, this->Self, isDone));
-  }
+  vtkSmartPointer<vtkPolyData> points;
+  DGG_RETURN_IF_ERROR(
+    DGGCollectFromAll(update, this->GetSources(update.Inputs), sources, points, isDone));
   if (!isDone)
   {
     return dgg::Status::Success();
@@ -136,9 +112,7 @@ dgg::Status vtkDGGDistance::vtkInternals::ExecutePiece(
     bool WantVirtualSource;
   } first;
   dgg::DistanceRequest request = this->MakeRequest();
-  const double accuracy = this->GraphUser.GetPiece().GetView().Info.Accuracy;
   first.Options.Tolerance = this->Self->GetProjectionTolerance();
-  first.Options.Accuracy = accuracy > 0.0 ? accuracy : this->Self->GetAccuracy();
   first.Options.Correct = this->Self->Correction;
   first.MaximumDistance = request.MaximumDistance;
   first.WantNearestSource = request.WantNearestSource;
@@ -147,61 +121,26 @@ dgg::Status vtkDGGDistance::vtkInternals::ExecutePiece(
   request.MaximumDistance = first.MaximumDistance;
   request.WantNearestSource = first.WantNearestSource;
   request.WantVirtualSource = first.WantVirtualSource;
-  DGG_RETURN_IF_ERROR(this->PreparePiece(
-    update, sources.GetNumberOfPositions() > 0, request.WantVirtualSource, searches, isDone));
+  DGG_RETURN_IF_ERROR(this->Searches.Prepare(context, update,
+    { sources.GetNumberOfPositions() > 0, request.WantVirtualSource }, this->GraphUser, this->Self,
+    isDone));
   if (!isDone)
   {
-    this->GraphUser.RefusePiece();
     return dgg::Status::Success();
   }
+  first.Options.Accuracy = this->Searches.GetAccuracy();
   dgg::DistanceOutput results;
   DGG_RETURN_IF_ERROR(
-    dgg::FindPieceDistances(context, group, searches->Search, searches->Links.get(),
-      searches->VirtualSources.get(), sources, first.Options, request, results, isDone));
+    dgg::FindPieceDistances(context, group, this->Searches.GetSearch(), this->Searches.GetLinks(),
+      this->Searches.GetVirtualSources(), sources, first.Options, request, results, isDone));
   if (!isDone)
   {
     return dgg::Status::Success();
   }
-  this->GraphUser.UsePiece(this->Self);
-  this->Searches = std::move(searches);
+  this->Searches.Keep(this->GraphUser, this->Self);
   this->Warn(results.Warnings);
   vtkPolyData* output = vtkPolyData::GetData(update.Outputs);
   output->ShallowCopy(context.Input);
   this->AddResults(results, output);
   return dgg::Status::Success();
-}
-
-//------------------------------------------------------------------------------
-/// Prepares searches in the graph of the piece, with positions or virtual sources if they are
-/// needed, unless this was done before. Ids of sources must number the points.
-dgg::Status vtkDGGDistance::vtkInternals::PreparePiece(const DGGPieceUpdate& update,
-  bool hasPositions, bool wantVirtualSource, std::unique_ptr<PieceSearches>& searches,
-  bool& isDone) const
-{
-  const DGGGraphArrays& graph = this->GraphUser.GetPiece();
-  bool isPrepared = searches && searches->Key == graph.GetKey();
-  DGG_RETURN_IF_ERROR(update.Group.Require(isPrepared));
-  if (!isPrepared)
-  {
-    searches = std::make_unique<PieceSearches>();
-    searches->Key = graph.GetKey();
-    DGG_RETURN_IF_ERROR(searches->Search.Prepare(
-      update.Group, update.Piece, graph.GetView(), graph.GetGraph().GetGhosts(), isDone));
-    isDone = isDone && searches->Search.HasConsecutiveIds();
-  }
-  const auto prepare = [&](bool isNeeded, auto& part) {
-    bool isReady = !isNeeded || part;
-    if (isDone)
-    {
-      DGG_RETURN_IF_ERROR(update.Group.Require(isReady));
-      if (!isReady)
-      {
-        part = std::make_unique<typename std::decay_t<decltype(part)>::element_type>();
-        DGG_RETURN_IF_ERROR(part->Prepare(update.Group, update.Piece, isDone));
-      }
-    }
-    return dgg::Status::Success();
-  };
-  DGG_RETURN_IF_ERROR(prepare(hasPositions, searches->Links));
-  return prepare(wantVirtualSource, searches->VirtualSources);
 }

@@ -5,11 +5,9 @@
 #include "DGGDistanceInternals.h"
 #include "DGGFieldInput.h"
 #include "DGGOutput.h"
-#include "DGGProcesses.h"
 #include "DGGProperties.h"
 #include "DGGSources.h"
 
-#include "dggProcessGroup.h"
 #include "dggPropertyChecks.h"
 #include "dggSourceCollection.h"
 
@@ -18,7 +16,6 @@
 
 #include <limits>
 #include <string>
-#include <utility>
 #include <vector>
 
 vtkDGGDefineInputMacro(vtkGeodesicDistanceAlgorithm, Source, 1);
@@ -202,33 +199,6 @@ dgg::Status DGGDistanceInternals::Execute(
   this->AddResults(results, output);
   this->WarnAboutGaps(results.IsReached);
   return dgg::Status::Success();
-}
-
-//------------------------------------------------------------------------------
-dgg::Status DGGDistanceInternals::CollectFromAll(
-  const DGGPieceUpdate& update, dgg::SourceCollection& sources, bool& areUsable) const
-{
-  dgg::ProcessGroup& group = update.Group;
-  vtkDataObject* here = vtkDataObject::GetData(update.Inputs[1]);
-  bool isEmpty = here == nullptr;
-  DGG_RETURN_IF_ERROR(group.Require(isEmpty));
-  vtkSmartPointer<vtkPolyData> points;
-  if (!isEmpty)
-  {
-    DGG_RETURN_IF_ERROR(update.Processes.JoinOnFirst(group, here, points));
-  }
-  std::vector<vtkIdType> ids = this->Filter->SourceIds;
-  std::vector<double> offsets = this->Filter->SourceOffsets;
-  DGG_RETURN_IF_ERROR(group.TakeListFromFirst(ids));
-  DGG_RETURN_IF_ERROR(group.TakeListFromFirst(offsets));
-  DGG_RETURN_IF_ERROR(DGGCollect(
-    { ids, points, 1, "source", "SourceIds", this->Filter->InitialDistanceArrayName, &offsets },
-    sources));
-  sources.IsConnected = !isEmpty;
-  DGG_RETURN_IF_ERROR(group.TakeListFromFirst(sources.Positions));
-  DGG_RETURN_IF_ERROR(group.TakeListFromFirst(sources.InitialDistances));
-  areUsable = sources.OriginalIds.empty() && (sources.Cells.empty() || sources.Barycentric.empty());
-  return group.Require(areUsable);
 }
 
 //------------------------------------------------------------------------------

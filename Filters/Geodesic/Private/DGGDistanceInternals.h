@@ -13,10 +13,6 @@
 #include <vector> // for arrays
 
 struct DGGSourceSet;
-namespace dgg
-{
-struct SourceCollection;
-}
 class vtkGeodesicDistanceAlgorithm;
 
 /// The steps of an update of a vtkGeodesicDistanceAlgorithm, except the computation of distances.
@@ -48,17 +44,11 @@ public:
   virtual std::vector<dgg::VertexArray> DeclareArrays() const { return {}; }
 
 protected:
-  /// Collects the ids of the first process, and the points that all processes have at port 1.
-  /// `areUsable` becomes false on all processes if arrays identify points by ids of the joined
-  /// surface.
-  dgg::Status CollectFromAll(
-    const DGGPieceUpdate& update, dgg::SourceCollection& sources, bool& areUsable) const;
+  DGGSourceSet GetSources(vtkInformationVector** inputVector) const;
   dgg::DistanceRequest MakeRequest() const;
   void AddResults(dgg::Output& results, vtkPolyData* output) const;
 
 private:
-  DGGSourceSet GetSources(vtkInformationVector** inputVector) const;
-
   vtkGeodesicDistanceAlgorithm* Filter;
 };
 

@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Searches of filters in the graph of a piece. Internal.
+#ifndef DGGPieceSearches_h
+#define DGGPieceSearches_h
+
+#include "DGGGraphArrays.h" // for the key of the graph
+#include "DGGSources.h"     // for sources
+
+#include "dggPieceLinks.h"          // for positions
+#include "dggPieceSearch.h"         // for the search
+#include "dggPieceVirtualSources.h" // for virtual sources
+
+#include "vtkSmartPointer.h" // for joined points
+
+#include <memory> // for the searches
+
+class DGGGraphUser;
+struct DGGPieceUpdate;
+
+/// Searches in the graph of a piece, which are kept for the next update.
+class DGGPieceSearches
+{
+public:
+  struct Needs
+  {
+    bool Links = false; ///< sources have positions
+    bool VirtualSources = false;
+  };
+
+  /// Updates the graph of the piece and prepares searches unless the last update has done so. The
+  /// needs must be the same on all processes. `isDone` becomes false on all processes if the pieces
+  /// must be gathered, among others if global ids do not number the points.
+  dgg::Status Prepare(const DGGContext& context, const DGGPieceUpdate& update, Needs needs,
+    DGGGraphUser& user, vtkObject* filter, bool& isDone);
+  /// Keeps the searches. Must be called at the end of an update, and only if it succeeds.
+  void Keep(DGGGraphUser& user, vtkObject* filter);
+
+  ///@{
+  /// Results of Prepare(). Links and virtual sources may be null unless they are needed.
+  dgg::PieceSearch& GetSearch() const { return *this->Search; }
+  dgg::PieceLinks* GetLinks() const { return this->Links.get(); }
+  const dgg::PieceVirtualSources* GetVirtualSources() const { return this->VirtualSources.get(); }
+  /// Returns the accuracy of links, which is the same on all processes.
+  double GetAccuracy() const { return this->Accuracy; }
+  ///@}
+
+private:
+  std::unique_ptr<dgg::PieceSearch> Search;
+  std::unique_ptr<dgg::PieceLinks> Links;
+  std::unique_ptr<dgg::PieceVirtualSources> VirtualSources;
+  DGGGraphArrays::Key Key; // of the graph
+  double Accuracy = 0.0;
+  bool IsKept = false;
+};
+
+/// Collects a set together with the other processes: its ids on the first process, and the points
+/// that all processes have at its port. `points` are joined on the first process, and null
+/// elsewhere. `areUsable` becomes false on all processes if arrays identify points by ids of the
+/// joined surface.
+dgg::Status DGGCollectFromAll(const DGGPieceUpdate& update, DGGSourceSet set,
+  dgg::SourceCollection& sources, vtkSmartPointer<vtkPolyData>& points, bool& areUsable);
+
+#endif
