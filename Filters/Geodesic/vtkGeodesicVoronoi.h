@@ -25,8 +25,8 @@
  *
  * <b>Guarantee and cost</b>. Distances at points of the input are within the accuracy of the graph,
  * if its rule has a guarantee. Borders are straight in each triangle and have no error bound; those
- * that pass a point within 1e-5 of an edge pass through it. On triangles that are large for the
- * accuracy, distances and borders are exact instead: see RefineBoundaries. Where more than three
+ * that pass a point within 1e-5 of an edge pass through it. Where the graph is not accurate enough
+ * for borders, distances and borders are exact instead: see RefineBoundaries. Where more than three
  * cells meet, tiny borders may separate cells that touch in one point.
  *
  * <b>Errors</b>. All errors of vtkGeodesicAlgorithm; no site; an id out of range; a site that is
@@ -129,12 +129,13 @@ public:
   ///@{
   /**
    * If on, refine inaccurate borders. Border points that the surrounding triangles do not determine
-   * accurately are linked to the graph and moved, with limited work. If GetMeanAnisotropy() is
-   * above 2, or if accuracy times the largest distance is less than a quarter of the mean edge
-   * (weighted by area), distances and borders are exact instead, and cells may have curved sides in
-   * triangles. This takes longer than a vtkExactGeodesicDistance from the sites. If windows exceed
-   * MemoryLimit, the filter warns and uses the graph. Without cells, and to move sites
-   * (Centroidal), distances are always those of the graph. Default on.
+   * accurately are linked to the graph and moved, with limited work. Distances and borders are
+   * exact instead, and cells may have curved sides in triangles, if GetMeanAnisotropy() is above 2,
+   * if accuracy times the largest distance is less than a quarter of the mean edge (weighted by
+   * area), or if a refined border leaves the accuracy inside a triangle. This takes longer than a
+   * vtkExactGeodesicDistance from the sites. If windows exceed MemoryLimit, the filter warns and
+   * uses the graph. Without cells, and to move sites (Centroidal), distances are always those of
+   * the graph. Default on.
    */
   vtkSetMacro(RefineBoundaries, bool);
   vtkGetMacro(RefineBoundaries, bool);

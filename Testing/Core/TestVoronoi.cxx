@@ -302,6 +302,41 @@ std::vector<std::vector<double>> ExactDistances(
   return distances;
 }
 
+/// Returns the largest relative difference between the distances from two sites in the middle of a
+/// segment between their cells.
+double LargestDifference(const SurfaceMesh& mesh, const VoronoiDiagram& diagram, const Sites& sites)
+{
+  std::map<std::pair<Id, Id>, std::size_t> polygons; // by the ends of their sides
+  ForEachSide(diagram, [&](std::size_t q, Id from, Id to) { polygons[{ from, to }] = q; });
+  double largest = 0.0;
+  ForEachSide(diagram, [&](std::size_t q, Id from, Id to) {
+    const auto neighbor = polygons.find({ to, from });
+    const Id face = diagram.PolygonFaces[q];
+    if (from > to || neighbor == polygons.end() || diagram.PolygonFaces[neighbor->second] != face)
+    {
+      return;
+    }
+    Place middle{};
+    for (const Id point : { from, to })
+    {
+      dgg::ForEachFaceAround(mesh, PointOf(diagram, point), [&](Id f, const Place& b) {
+        for (int k = 0; k < 3 && f == face; ++k)
+        {
+          middle[k] += 0.5 * b[k];
+        }
+      });
+    }
+    const auto distanceFrom = [&](Id site) {
+      return DistancesTo(mesh, dgg::ExactEngine::Triangle, sites[site],
+        { SurfacePoint::InTriangle(mesh, face, middle) })[0];
+    };
+    const double a = distanceFrom(diagram.PolygonSites[q]);
+    const double b = distanceFrom(diagram.PolygonSites[neighbor->second]);
+    largest = std::max(largest, std::abs(a - b) / std::max(a, b));
+  });
+  return largest;
+}
+
 /// Expects the diagram of Euclidean distances in the plane.
 void ExpectPlane(
   const SearchCase& c, const VoronoiDiagram& diagram, const Sites& sites, double tolerance)
@@ -447,6 +482,7 @@ TEST(Voronoi, RefinedWhereFacesAreLarge)
   const SearchCase c("box", Box(5, 5, 5, 1.0, 1.3, 0.8), accuracy);
   const Sites sites = RandomSurfacePoints(c.GetMesh(), 12, 5);
   std::map<Cells, double> largest;
+  std::map<Cells, double> inside; // in the middle of segments
   for (const Cells kind : { Cells::Plain, Cells::Refined, Cells::OfWindows })
   {
     const VoronoiDiagram diagram = DiagramOf(c, sites, accuracy, kind);
@@ -458,10 +494,20 @@ TEST(Voronoi, RefinedWhereFacesAreLarge)
       const double b = exact[pair[1]][point];
       error = std::max(error, std::abs(a - b) / std::max(a, b));
     });
+    inside[kind] = LargestDifference(c.GetMesh(), diagram, sites);
+    EXPECT_EQ(diagram.AreBordersWrong, kind == Cells::Refined);
   }
   EXPECT_GT(largest[Cells::Plain], 4.0 * accuracy);
   EXPECT_LT(largest[Cells::Refined], 2.0 * accuracy);
+  EXPECT_GT(inside[Cells::Refined], 2.0 * accuracy);
   EXPECT_LT(largest[Cells::OfWindows], 1e-6);
+  EXPECT_LT(inside[Cells::OfWindows], Chord);
+
+  const double coarse = 0.1;
+  const SearchCase fine("box", Box(5, 5, 5, 1.0, 1.3, 0.8), coarse);
+  const VoronoiDiagram diagram = DiagramOf(fine, sites, coarse);
+  EXPECT_LT(LargestDifference(fine.GetMesh(), diagram, sites), 2.0 * coarse);
+  EXPECT_FALSE(diagram.AreBordersWrong);
 }
 
 TEST(Voronoi, AroundACylinder)

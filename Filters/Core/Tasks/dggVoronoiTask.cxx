@@ -314,7 +314,8 @@ Status FindVoronoiCells(const TaskContext& context, GraphSession& graph,
   DGG_RETURN_IF_ERROR(ComputeVoronoi(graph.GetSearch(), context.Surface.GetMesh(), input,
     ProgressPart(rest, begin, isRefined ? FirstShare + begin : 1.0), result.Diagram));
   if (isRefined && !isLong &&
-    HasCoarseTriangles(context.Surface, accuracy, result.Diagram.Distances, ErrorAtBorders))
+    (result.Diagram.AreBordersWrong ||
+      HasCoarseTriangles(context.Surface, accuracy, result.Diagram.Distances, ErrorAtBorders)))
   {
     DGG_RETURN_IF_ERROR(
       FindExactCells(context, accuracy, ProgressPart(rest, FirstShare, 1.0), result, isDone));

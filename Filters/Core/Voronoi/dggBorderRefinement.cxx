@@ -12,8 +12,10 @@ namespace dgg
 {
 namespace
 {
-/// Maximum relative difference between predictions of a distance, in units of the accuracy.
-constexpr double PredictionTolerance = 0.6;
+/// Minimum relative difference between predictions at which borders between their ends are
+/// measured, and between distances at which they are wrong, in units of the accuracy.
+constexpr double SuspiciousDifference = 2.0;
+constexpr double WrongDifference = 1.5;
 /// Final relative tolerance between the distances from two sites, in units of the accuracy.
 constexpr double BalanceTolerance = 0.05;
 /// Maximum number of steps for a point on an edge, and inside a face.
@@ -167,8 +169,22 @@ void BorderRefinement::Balance(
   }
 }
 
+bool BorderRefinement::IsWrong(
+  Id face, const std::array<Id, 2>& sites, const Coordinates& place, double distance) const
+{
+  if (!this->IsDoubtful(face, place, sites[0], distance, SuspiciousDifference) &&
+    !this->IsDoubtful(face, place, sites[1], distance, SuspiciousDifference))
+  {
+    return false;
+  }
+  double found[2] = { 0.0, 0.0 };
+  return this->Measure(SurfacePoint::InTriangle(this->Mesh, face, place), sites.data(), 2, found) &&
+    std::abs(found[0] - found[1]) > WrongDifference * this->Accuracy * std::max(found[0], found[1]);
+}
+
 /// Returns true if a corner of the face that is reached by the site predicts a different distance.
-bool BorderRefinement::IsDoubtful(Id face, const Coordinates& place, Id site, double distance) const
+bool BorderRefinement::IsDoubtful(
+  Id face, const Coordinates& place, Id site, double distance, double tolerance) const
 {
   for (Id h = 3 * face; h < 3 * face + 3; ++h)
   {
@@ -182,8 +198,7 @@ bool BorderRefinement::IsDoubtful(Id face, const Coordinates& place, Id site, do
     const bool isKnown = model.IsKnown || !(model.Length > 0.0);
     const double predicted =
       model.At(Norm(p.X, p.Y), this->Mesh.PolarAngle(h) + std::atan2(p.Y, p.X));
-    if (!isKnown ||
-      !(std::abs(predicted - distance) <= PredictionTolerance * this->Accuracy * distance))
+    if (!isKnown || !(std::abs(predicted - distance) <= tolerance * this->Accuracy * distance))
     {
       return true;
     }

@@ -43,6 +43,11 @@ public:
   void Balance(
     Id face, const std::array<Id, 3>& sites, std::array<double, 3>& place, double& distance) const;
 
+  /// Returns true if a point of a border between two sites inside a face is too far from the
+  /// border: the distances from the sites differ by more than 1.5 times the accuracy.
+  bool IsWrong(Id face, const std::array<Id, 2>& sites, const std::array<double, 3>& place,
+    double distance) const;
+
   /// Return the work of links where windows multiplied (see GraphBuilder::Link()), and its limit.
   std::size_t GetWork() const { return this->Work; }
   std::size_t GetMostWork() const;
@@ -50,7 +55,11 @@ public:
 private:
   using Coordinates = std::array<double, 3>;
 
-  bool IsDoubtful(Id face, const Coordinates& place, Id site, double distance) const;
+  /// Maximum relative difference between predictions of a distance, in units of the accuracy.
+  static constexpr double PredictionTolerance = 0.6;
+
+  bool IsDoubtful(Id face, const Coordinates& place, Id site, double distance,
+    double tolerance = PredictionTolerance) const;
   bool Measure(
     const SurfacePoint& point, const Id* sites, std::size_t count, double* distances) const;
 

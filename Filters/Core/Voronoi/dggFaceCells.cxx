@@ -99,6 +99,10 @@ void FaceCells::Cut(Id face)
     this->Diagram.BorderDistances.resize(numberOfPoints);
     this->CutFromCenter(face);
   }
+  if (this->Refinement && !this->Diagram.AreBordersWrong)
+  {
+    this->CheckBorders(face);
+  }
   for (const FaceCell& cell : this->Cells)
   {
     cell.AddTo(this->Mesh, face, this->Diagram);
@@ -188,6 +192,40 @@ bool FaceCells::IsConsistent() const
   return sides == opposite && std::adjacent_find(sides.begin(), sides.end()) == sides.end() &&
     std::all_of(this->Cells.begin(), this->Cells.end(),
       [](const FaceCell& cell) { return cell.GetFraction() >= -1e-12; });
+}
+
+/// Checks the borders between two cells halfway between their ends.
+void FaceCells::CheckBorders(Id face)
+{
+  struct Side
+  {
+    std::array<Id, 2> Ends; // in ascending order
+    Coordinates Middle;
+    const FaceCell* Cell;
+  };
+  std::vector<Side> sides;
+  for (const FaceCell& cell : this->Cells)
+  {
+    const CellPoint* before = &cell.Points.back();
+    for (const CellPoint& point : cell.Points)
+    {
+      const auto [first, last] = std::minmax(before->Number, point.Number);
+      sides.push_back({ { { first, last } }, Between(before->Place, point.Place, 0.5), &cell });
+      before = &point;
+    }
+  }
+  std::sort(
+    sides.begin(), sides.end(), [](const Side& a, const Side& b) { return a.Ends < b.Ends; });
+  for (std::size_t i = 0; i + 1 < sides.size() && !this->Diagram.AreBordersWrong; ++i)
+  {
+    const Side& side = sides[i];
+    if (side.Ends == sides[i + 1].Ends) // not on the boundary of the face
+    {
+      const std::array<Id, 2> sites{ { side.Cell->Site, sides[i + 1].Cell->Site } };
+      this->Diagram.AreBordersWrong = this->Refinement->IsWrong(
+        face, sites, side.Middle, this->MeasureAt(face, sites[0], side.Middle));
+    }
+  }
 }
 
 void FaceCells::CutFromCenter(Id face)
@@ -452,6 +490,15 @@ CellPoint FaceCells::PointInside(
   this->Diagram.BorderDistances.push_back(distance);
   this->Refined.push_back({ number, place });
   return this->Refined.back();
+}
+
+/// Returns the distance of a point in the face from one of the sites, as interpolated.
+double FaceCells::MeasureAt(Id face, Id site, const Coordinates& place) const
+{
+  const auto found = std::find_if(this->Sites.begin(), this->Sites.end(),
+    [site](const Site& candidate) { return candidate.Number == site; });
+  const double common = CommonPart(this->Mesh, face, place);
+  return std::sqrt(std::max(0.0, Apply(found->Values, place) + common));
 }
 
 /// Adds a cell with the given points, without consecutive duplicates. Skipped if it has no area.

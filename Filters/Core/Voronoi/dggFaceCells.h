@@ -81,7 +81,9 @@ private:
   void CutByLines(Id face);
   void CutFromCenter(Id face);
   bool IsConsistent() const;
+  void CheckBorders(Id face);
   void WalkAround(Id face);
+  double MeasureAt(Id face, Id site, const Coordinates& place) const;
   void AddCell(Id site, const std::vector<CellPoint>& points);
 
   const SurfaceMesh& Mesh;

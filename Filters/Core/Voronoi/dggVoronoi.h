@@ -48,6 +48,10 @@ struct VoronoiDiagram
   std::vector<Id> CurvePoints;
   std::vector<std::array<Id, 2>> CurveSites;
 
+  /// True if the distances from two sites, in the middle of a refined segment between them, differ
+  /// by more than 1.5 times the accuracy. Only exact distances give correct cells then.
+  bool AreBordersWrong = false;
+
   std::size_t GetNumberOfPolygons() const { return this->PolygonSites.size(); }
   std::size_t GetNumberOfCurves() const { return this->CurveSites.size(); }
 };
