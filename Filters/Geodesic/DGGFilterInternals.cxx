@@ -235,6 +235,7 @@ dgg::Status DGGFilterInternals::Follow(
   {
     *this->Parts = DGGPartedUpdate();
     this->Mesh->Clear(); // the report must not describe another surface
+    this->Warn(this->OutputWarnings);
     return dgg::Status::Success();
   }
   dgg::ProcessGroup group;
@@ -280,6 +281,7 @@ dgg::Status DGGFilterInternals::ComputePiece(const DGGProcesses& processes,
   return group.Agree(this->Try([&] {
     DGG_RETURN_IF_ERROR(this->CheckAllProperties());
     DGG_RETURN_IF_ERROR(DGGRemoveGhosts(part));
+    this->OutputWarnings.clear();
     static const dgg::PreparedSurface none; // of the entire surface
     const DGGContext update = this->MakeContext(part);
     const DGGContext context{ { none, update.Memory, update.NumberOfThreads, update.Progress,

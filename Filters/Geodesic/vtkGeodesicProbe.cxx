@@ -6,12 +6,16 @@
 #include "DGGFieldInput.h"
 #include "DGGFilterInternals.h"
 #include "DGGMakeArray.h"
+#include "DGGPieceField.h"
+#include "DGGPieceSearches.h"
 #include "DGGProperties.h"
 #include "DGGSources.h"
 
 #include "dggFieldReader.h"
+#include "dggProcessGroup.h"
 #include "dggProgressPart.h"
 #include "dggPropertyChecks.h"
+#include "dggSourceCollection.h"
 #include "dggSurfacePoint.h"
 
 #include "vtkDoubleArray.h"
@@ -46,7 +50,16 @@ public:
   dgg::Status CheckProperties() const override;
   dgg::Status Execute(const DGGContext& context, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
+  bool CanDistribute() const override { return true; }
+  dgg::Status ExecutePiece(
+    const DGGContext& context, const DGGPieceUpdate& update, bool& isDone) override;
   void MakeEmptyOutput(const DGGContext& context, vtkInformationVector* outputVector) override;
+
+private:
+  static void FillOutput(vtkPolyData* probes, const std::string& name,
+    dgg::Buffer<double>& distances, vtkPolyData* output);
+
+  DGGPieceField PieceField;
 };
 
 //------------------------------------------------------------------------------
@@ -93,16 +106,71 @@ dgg::Status vtkGeodesicProbe::vtkInternals::Execute(
   this->Warn(reader.GetWarnings());
   this->WarnAboutQuality(reader.DescribeQuality());
   const std::string name = DGGGetDistanceName(distances);
-  const auto found = DGGMakeArray<vtkDoubleArray>(name, places.size());
+  dgg::Buffer<double> found(places.size());
   DGG_RETURN_IF_ERROR(dgg::ProbeField(context, reader.GetField(), places,
-    dgg::ProgressPart(context.Progress, ReadDone, 1.0), found->GetPointer(0)));
-  vtkPolyData* output = vtkPolyData::GetData(outputVector);
-  output->ShallowCopy(probes.Points);
+    dgg::ProgressPart(context.Progress, ReadDone, 1.0), found.Data()));
+  FillOutput(probes.Points, name, found, vtkPolyData::GetData(outputVector));
+  return dgg::Status::Success();
+}
+
+//------------------------------------------------------------------------------
+dgg::Status vtkGeodesicProbe::vtkInternals::ExecutePiece(
+  const DGGContext& context, const DGGPieceUpdate& update, bool& isDone)
+{
+  dgg::ProcessGroup& group = update.Group;
+  struct
+  {
+    double UnreachedValue;
+    double Tolerance;
+  } first{ this->Self->UnreachedValue, this->Self->ProjectionTolerance };
+  dgg::SourceCollection probes;
+  vtkSmartPointer<vtkPolyData> points;
+  DGG_RETURN_IF_ERROR(group.TakeFromFirst(first));
+  DGG_RETURN_IF_ERROR(DGGCollectFromAll(update, GetProbes(update.Inputs), probes, points, isDone));
+  if (isDone)
+  {
+    DGG_RETURN_IF_ERROR(this->PieceField.Update(context, update, this->Self->Information,
+      { this->Self->DistanceArrayName, this->Self->VirtualSourceArrayName, false,
+        first.UnreachedValue },
+      isDone));
+  }
+  if (!isDone)
+  {
+    return dgg::Status::Success();
+  }
+  const dgg::PieceSurface& surface = this->PieceField.GetSurface();
+  std::vector<dgg::PieceLocator::Located> here;
+  DGG_RETURN_IF_ERROR(probes.Check(0));
+  DGG_RETURN_IF_ERROR(surface.Locate(group, probes, first.Tolerance, here));
+  std::vector<dgg::SurfacePoint> places;
+  std::vector<std::size_t> order;
+  for (const dgg::PieceLocator::Located& located : here)
+  {
+    places.push_back(located.Point);
+    order.push_back(located.Position);
+  }
+  dgg::Buffer<double> found(places.size());
+  DGG_RETURN_IF_ERROR(
+    dgg::ProbeField(this->PieceField.MakeContext(context), this->PieceField.GetReader().GetField(),
+      places, dgg::ProgressPart(context.Progress, ReadDone, 1.0), found.Data()));
+  DGG_RETURN_IF_ERROR(group.Gather(order, 1, found));
+  if (group.Here == 0)
+  {
+    FillOutput(points, this->PieceField.GetName(), found, vtkPolyData::GetData(update.Outputs));
+  }
+  return dgg::Status::Success();
+}
+
+//------------------------------------------------------------------------------
+void vtkGeodesicProbe::vtkInternals::FillOutput(
+  vtkPolyData* probes, const std::string& name, dgg::Buffer<double>& distances, vtkPolyData* output)
+{
+  output->ShallowCopy(probes);
   // Arrays that belong to an array of this name of the probe points are removed with it.
   DGGRemoveDistances(output, name);
-  output->GetPointData()->AddArray(found);
-  output->GetPointData()->SetActiveScalars(found->GetName());
-  return dgg::Status::Success();
+  const auto array = DGGAdoptArray<vtkDoubleArray>(distances, name.c_str());
+  output->GetPointData()->AddArray(array);
+  output->GetPointData()->SetActiveScalars(array->GetName());
 }
 
 //------------------------------------------------------------------------------

@@ -3,13 +3,18 @@
 #include "vtkGeodesicSampler.h"
 
 #include "DGGGraphUser.h"
+#include "DGGPieceSearches.h"
 #include "DGGProperties.h"
 #include "DGGSources.h"
 
 #include "dggOutput.h"
+#include "dggPieceSamples.h"
+#include "dggPieceSurface.h"
 #include "dggPreparedSurface.h"
 #include "dggPropertyChecks.h"
+#include "dggProcessGroup.h"
 #include "dggSampleSearch.h"
+#include "dggSourceCollection.h"
 #include "dggStatus.h"
 
 #include "vtkObjectFactory.h"
@@ -35,6 +40,9 @@ public:
   dgg::Status CheckProperties() const override;
   dgg::Status Execute(const DGGContext& context, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
+  bool CanDistribute() const override { return !this->Self->InFaces; }
+  dgg::Status ExecutePiece(
+    const DGGContext& context, const DGGPieceUpdate& update, bool& isDone) override;
   void MakeEmptyOutput(const DGGContext& context, vtkInformationVector* outputVector) override;
   std::string GetMemoryRemedy() const override
   {
@@ -44,6 +52,8 @@ public:
 private:
   DGGSourceSet GetStart(vtkInformationVector** inputVector) const;
   dgg::SamplerOptions MakeOptions() const;
+
+  DGGPieceSearches Searches; // of the last update in pieces
 };
 
 vtkDGGInternalsMacro(vtkGeodesicSampler);
@@ -102,6 +112,7 @@ dgg::SamplerOptions vtkGeodesicSampler::vtkInternals::MakeOptions() const
 dgg::Status vtkGeodesicSampler::vtkInternals::Execute(
   const DGGContext& context, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
+  this->Searches = DGGPieceSearches();
   dgg::SamplerOptions options = this->MakeOptions();
   const DGGSourceSet start = this->GetStart(inputVector);
   DGG_RETURN_IF_ERROR(start.Points
@@ -113,6 +124,41 @@ dgg::Status vtkGeodesicSampler::vtkInternals::Execute(
   DGG_RETURN_IF_ERROR(dgg::FindSamples(context, this->GraphUser, options, samples));
   dgg::WriteSamples(context, options, samples, output);
   return this->FillOutput(context, output, outputVector);
+}
+
+//------------------------------------------------------------------------------
+dgg::Status vtkGeodesicSampler::vtkInternals::ExecutePiece(
+  const DGGContext& context, const DGGPieceUpdate& update, bool& isDone)
+{
+  dgg::ProcessGroup& group = update.Group;
+  dgg::PieceSampleOptions options{ this->Self->NumberOfSamples, this->Self->CoveringRadius,
+    this->Self->FirstSample, this->Self->ProjectionTolerance };
+  dgg::SourceCollection start;
+  vtkSmartPointer<vtkPolyData> points;
+  DGG_RETURN_IF_ERROR(group.TakeFromFirst(options));
+  DGG_RETURN_IF_ERROR(
+    DGGCollectFromAll(update, this->GetStart(update.Inputs), start, points, isDone));
+  dgg::PieceSurface surface;
+  if (isDone)
+  {
+    DGG_RETURN_IF_ERROR(surface.Prepare(group, update.Piece, isDone));
+  }
+  if (isDone)
+  {
+    DGG_RETURN_IF_ERROR(this->Searches.Prepare(
+      context, update, { start.IsConnected }, this->GraphUser, this->Self, isDone));
+  }
+  isDone = isDone && this->Searches.GetSearch().GetNumberOfPoints() <= VTK_INT_MAX;
+  if (!isDone)
+  {
+    return dgg::Status::Success();
+  }
+  dgg::Output output;
+  DGG_RETURN_IF_ERROR(dgg::FindPieceSamples(context, group, surface, this->Searches.GetSearch(),
+    this->Searches.GetLinks(), this->Searches.GetAccuracy(), start, options, output));
+  this->Searches.Keep(this->GraphUser, this->Self);
+  return group.Here == 0 ? this->FillOutput(context, output, update.Outputs)
+                         : dgg::Status::Success();
 }
 
 //------------------------------------------------------------------------------

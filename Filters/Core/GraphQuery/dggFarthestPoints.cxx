@@ -5,8 +5,6 @@
 #include "dggBucketSearch.h"
 #include "dggGraphSearch.h"
 
-#include <algorithm>
-
 namespace dgg
 {
 FarthestPoints::FarthestPoints(const GraphView& graph, const SurfaceMesh* mesh)
@@ -23,27 +21,21 @@ FarthestPoints::FarthestPoints(const GraphView& graph, const SurfaceMesh* mesh)
 
 FarthestPoints::~FarthestPoints() = default;
 
-/// Heap order: returns true if `a` comes after `b`.
-bool FarthestPoints::IsNearer(const Candidate& a, const Candidate& b)
-{
-  return a.Distance < b.Distance || (a.Distance == b.Distance && a.Vertex > b.Vertex);
-}
-
 void FarthestPoints::Reset()
 {
   SearchLabels(this->Distances, this->Origins, this->Labeled, Infinity)
     .Start(this->Graph.NumberOfVertices, {});
   this->NearestSamples.assign(this->Graph.NumberOfVertices, NoId);
   this->NumberOfSamples = 0;
-  this->Candidates.clear();
+  std::vector<Id> candidates;
   for (Id v = 0; v < this->Graph.NumberOfVertices; ++v)
   {
     if (this->Graph.Offsets[v] < this->Graph.Offsets[v + 1])
     {
-      this->Candidates.push_back({ Infinity, v });
+      candidates.push_back(v);
     }
   }
-  std::make_heap(this->Candidates.begin(), this->Candidates.end(), IsNearer);
+  this->Candidates.Start(candidates);
 }
 
 Status FarthestPoints::Add(const std::vector<GraphSeed>& sample, const ProgressCallback& progress)
@@ -65,19 +57,23 @@ Status FarthestPoints::Add(const std::vector<GraphSeed>& sample, const ProgressC
 
 FarthestVertex FarthestPoints::Find()
 {
-  std::vector<Candidate>& candidates = this->Candidates;
-  while (!candidates.empty())
+  return this->Candidates.Find([this](Id v) { return this->Distances[v]; });
+}
+
+Status FarthestPoints::FindFarthest(FarthestVertex& farthest)
+{
+  farthest = this->Find();
+  return Status::Success();
+}
+
+Status FarthestPoints::FindFarthestReached(FarthestVertex& farthest)
+{
+  farthest = FarthestVertex();
+  for (const Id v : this->Labeled)
   {
-    const Candidate top = candidates.front();
-    const double distance = this->Distances[top.Vertex];
-    if (distance == top.Distance)
-    {
-      return { distance > 0.0 ? top.Vertex : NoId, std::max(0.0, distance) };
-    }
-    std::pop_heap(candidates.begin(), candidates.end(), IsNearer);
-    candidates.back().Distance = distance;
-    std::push_heap(candidates.begin(), candidates.end(), IsNearer);
+    const FarthestVertex reached{ v, this->Distances[v] };
+    farthest = farthest.Vertex == NoId || reached.IsBefore(farthest) ? reached : farthest;
   }
-  return {};
+  return Status::Success();
 }
 }

@@ -8,8 +8,9 @@
 #include "dggCoreExport.h"  // for DGG_CORE_EXPORT
 #include "dggGraphSearch.h" // for GraphSeed
 
-#include <memory> // for the fans
-#include <vector> // for the seeds
+#include <algorithm> // for the heap
+#include <memory>    // for the fans
+#include <vector>    // for the seeds
 
 namespace dgg
 {
@@ -22,6 +23,73 @@ struct FarthestVertex
 {
   Id Vertex = NoId;      ///< NoId if every vertex is a sample
   double Distance = 0.0; ///< Infinity if no sample reaches the vertex
+
+  /// Returns true if farthest-point sampling uses this vertex rather than the other one. Ties are
+  /// resolved in favor of the smallest vertex id.
+  bool IsBefore(const FarthestVertex& other) const
+  {
+    return this->Distance > other.Distance ||
+      (this->Distance == other.Distance && this->Vertex < other.Vertex);
+  }
+};
+
+/// Finds the farthest of several vertices whose distances never grow.
+class FarthestHeap
+{
+public:
+  /// Starts with these vertices at infinite distances.
+  void Start(const std::vector<Id>& vertices)
+  {
+    this->Candidates.clear();
+    for (const Id v : vertices)
+    {
+      this->Candidates.push_back({ v, Infinity });
+    }
+    std::make_heap(this->Candidates.begin(), this->Candidates.end(), IsAfter);
+  }
+
+  /// Returns the farthest vertex; `distanceOf(v)` returns present distances.
+  template <typename DistanceOf>
+  FarthestVertex Find(const DistanceOf& distanceOf)
+  {
+    std::vector<FarthestVertex>& candidates = this->Candidates;
+    while (!candidates.empty())
+    {
+      const FarthestVertex top = candidates.front();
+      const double distance = distanceOf(top.Vertex);
+      if (distance == top.Distance)
+      {
+        return { distance > 0.0 ? top.Vertex : NoId, std::max(0.0, distance) };
+      }
+      std::pop_heap(candidates.begin(), candidates.end(), IsAfter);
+      candidates.back().Distance = distance;
+      std::push_heap(candidates.begin(), candidates.end(), IsAfter);
+    }
+    return {};
+  }
+
+private:
+  static bool IsAfter(const FarthestVertex& a, const FarthestVertex& b) { return b.IsBefore(a); }
+
+  /// Heap with upper bounds of distances: a distance is updated only when its entry reaches the
+  /// top.
+  std::vector<FarthestVertex> Candidates;
+};
+/// Distances of the vertices of a graph from the nearest sample, for farthest-point sampling.
+/// Vertices without edges are ignored.
+class SampleDistances
+{
+public:
+  virtual ~SampleDistances() = default;
+
+  /// Removes all samples.
+  virtual void Reset() = 0;
+  /// Adds a sample: a vertex, or a surface point by its links.
+  virtual Status Add(const std::vector<GraphSeed>& sample, const ProgressCallback& progress) = 0;
+  /// Finds the vertex farthest from all samples; its distance is the covering radius.
+  virtual Status FindFarthest(FarthestVertex& farthest) = 0;
+  /// Finds the farthest vertex that a sample reaches. There must be a sample with edges.
+  virtual Status FindFarthestReached(FarthestVertex& farthest) = 0;
 };
 
 /// Farthest-point sampling in a graph (Eldar, Lindenbaum, Porat and Zeevi, "The farthest point
@@ -34,25 +102,24 @@ struct FarthestVertex
 /// count as infinitely far, so that every component gets a sample before any component gets a
 /// second one. Vertices without edges are ignored. Ties are resolved in favor of the smallest
 /// vertex id.
-class DGG_CORE_EXPORT FarthestPoints
+class DGG_CORE_EXPORT FarthestPoints final : public SampleDistances
 {
 public:
   /// Prepares sampling of a graph. `mesh` is the mesh of the graph, or null for a cloud. Graph and
   /// mesh must outlive the object.
   FarthestPoints(const GraphView& graph, const SurfaceMesh* mesh);
-  ~FarthestPoints();
+  ~FarthestPoints() override;
   FarthestPoints(const FarthestPoints&) = delete;
   FarthestPoints& operator=(const FarthestPoints&) = delete;
 
-  /// Removes all samples.
-  void Reset();
+  void Reset() override;
+  /// Fails, without changing anything, if there is no seed, or if a seed does not exist or has an
+  /// initial distance that is not finite. After an abort, call Reset().
+  Status Add(const std::vector<GraphSeed>& sample, const ProgressCallback& progress) override;
+  Status FindFarthest(FarthestVertex& farthest) override;
+  Status FindFarthestReached(FarthestVertex& farthest) override;
 
-  /// Adds a sample: a vertex, or a surface point by its links. Fails, without changing anything, if
-  /// there is no seed, or if a seed does not exist or has an initial distance that is not finite.
-  /// After an abort, call Reset().
-  Status Add(const std::vector<GraphSeed>& sample, const ProgressCallback& progress);
-
-  /// Returns the vertex farthest from all samples; its distance is the covering radius.
+  /// Returns the result of FindFarthest().
   FarthestVertex Find();
 
   /// Returns the graph distance of every vertex from the nearest sample.
@@ -62,14 +129,6 @@ public:
   const std::vector<Id>& GetNearestSamples() const { return this->NearestSamples; }
 
 private:
-  /// A vertex and an upper bound of its distance: the distance at the time of insertion.
-  struct Candidate
-  {
-    double Distance;
-    Id Vertex;
-  };
-  static bool IsNearer(const Candidate& a, const Candidate& b);
-
   const GraphView Graph;
   const double BucketWidth;
   std::vector<double> Distances;
@@ -80,9 +139,7 @@ private:
   std::vector<Id> Labeled;        // vertices labeled by any sample, without duplicates
   std::vector<Id> NearestSamples; // per vertex
   Id NumberOfSamples = 0;
-  /// Heap of all vertices with edges. A distance in the heap is updated only when its entry reaches
-  /// the top.
-  std::vector<Candidate> Candidates;
+  FarthestHeap Candidates; // all vertices with edges
 };
 }
 

@@ -244,6 +244,39 @@ public:
     return Status::Success();
   }
 
+  /// Gathers tuples of a vector or a Buffer on the first process, where tuple i of this process
+  /// gets the index order[i]. Elsewhere `values` becomes empty.
+  template <typename Values>
+  Status Gather(const std::vector<std::size_t>& order, int components, Values& values)
+  {
+    using Value = std::decay_t<decltype(*values.begin())>;
+    std::vector<Message> messages(static_cast<std::size_t>(this->Count));
+    Append(messages[0], order);
+    Append(messages[0], std::vector<Value>(values.begin(), values.end()));
+    DGG_RETURN_IF_ERROR(this->Exchange(messages, 0.0));
+    std::vector<std::vector<std::size_t>> orders;
+    std::vector<std::vector<Value>> lists;
+    std::size_t size = 0;
+    for (const Message& message : messages)
+    {
+      MessageReader reader(message);
+      orders.push_back(reader.Take<std::size_t>());
+      lists.push_back(reader.Take<Value>());
+      size += lists.back().size();
+    }
+    values = Values(size);
+    for (std::size_t process = 0; process < lists.size(); ++process)
+    {
+      const Value* from = lists[process].data();
+      for (const std::size_t index : orders[process])
+      {
+        std::copy_n(from, components, &*values.begin() + index * components);
+        from += components;
+      }
+    }
+    return Status::Success();
+  }
+
   /// Makes a condition false unless it is true on all processes.
   Status Require(bool& condition)
   {

@@ -7,9 +7,6 @@
 #include "dggSourceCollection.h"
 
 #include <algorithm>
-#include <array>
-#include <limits>
-#include <tuple>
 
 namespace dgg
 {
@@ -18,27 +15,6 @@ namespace
 /// Layers of cells around a piece at first. Their number is doubled as long as a link meets the
 /// rim.
 constexpr int FirstLayers = 8;
-
-/// Closest point of a position, if it is in a cell of this process.
-struct Candidate
-{
-  double Distance = Infinity;
-  Offset CellId = NoId; // global
-
-  bool operator<(const Candidate& other) const
-  {
-    return std::tie(this->Distance, this->CellId) < std::tie(other.Distance, other.CellId);
-  }
-};
-
-/// Returns the first face at a point.
-Id GetFirstFace(const SurfaceMesh& mesh, const SurfacePoint& point)
-{
-  Id first = std::numeric_limits<Id>::max();
-  ForEachFaceAround(
-    mesh, point, [&](Id face, const std::array<double, 3>&) { first = std::min(first, face); });
-  return first;
-}
 }
 
 Status PieceLinks::Prepare(ProcessGroup& group, const SurfacePiece& piece, bool& isUsable)
@@ -55,20 +31,13 @@ Status PieceLinks::Prepare(ProcessGroup& group, const SurfacePiece& piece, bool&
 
 Status PieceLinks::MakeMesh(ProcessGroup& group)
 {
-  this->ClosestPoints.reset();
   this->Builder.reset();
   this->Region.MakeMesh(this->Mesh);
   SurfaceFacts facts = this->Region.MeasureFacts(this->Mesh);
   DGG_RETURN_IF_ERROR(facts.Share(group));
   const SurfaceMesh& mesh = this->Mesh.Mesh;
-  const double* const positions = this->Mesh.Positions.data();
-  std::vector<Box> boxes;
-  DGG_RETURN_IF_ERROR(group.Share(SurfaceLocator::MeasureBox(mesh, positions), boxes));
-  this->SurfaceBox = Box();
-  for (const Box& box : boxes)
-  {
-    this->SurfaceBox.Add(box);
-  }
+  DGG_RETURN_IF_ERROR(
+    this->Locator.Prepare(group, mesh, this->Mesh.Positions.data(), this->Mesh.CellIds));
   this->PointIds.clear();
   for (const Id point : this->Mesh.Points)
   {
@@ -76,7 +45,6 @@ Status PieceLinks::MakeMesh(ProcessGroup& group)
   }
   if (mesh.GetNumberOfFaces() > 0)
   {
-    this->ClosestPoints = std::make_unique<const SurfaceLocator>(mesh, positions, this->SurfaceBox);
     GraphRegion region;
     region.IsRim = this->Mesh.IsRim;
     region.PointIds = this->PointIds;
@@ -90,8 +58,13 @@ Status PieceLinks::MakeMesh(ProcessGroup& group)
 Status PieceLinks::Find(ProcessGroup& group, const SourceCollection& sources, double tolerance,
   double accuracy, std::vector<PieceSeed>& seeds)
 {
+  std::vector<PieceLocator::Located> located;
+  DGG_RETURN_IF_ERROR(this->Locator.Locate(group, sources, tolerance, located));
   std::vector<std::size_t> here; // positions that are linked by this process
-  DGG_RETURN_IF_ERROR(this->ChooseHere(group, sources, tolerance, here));
+  for (const PieceLocator::Located& point : located)
+  {
+    here.push_back(point.Position);
+  }
   std::vector<PositionLink> links;
   for (;;)
   {
@@ -126,55 +99,6 @@ Status PieceLinks::Find(ProcessGroup& group, const SourceCollection& sources, do
   return Status::Success();
 }
 
-/// Finds the positions whose closest points are in cells of this process. Of several closest cells,
-/// the one with the smallest id counts. The cells around those of the piece are in the region, so
-/// that each process finds the same point as a single one.
-Status PieceLinks::ChooseHere(ProcessGroup& group, const SourceCollection& sources,
-  double tolerance, std::vector<std::size_t>& here) const
-{
-  const std::size_t count = sources.GetNumberOfPositions();
-  std::vector<Candidate> candidates(count);
-  for (std::size_t i = 0; i < count && this->ClosestPoints; ++i)
-  {
-    SurfacePoint point;
-    double distance = Infinity;
-    this->ClosestPoints->FindClosestPoint(sources.GetPosition(i).data(), point, distance);
-    const Offset cell = this->Mesh.CellIds[GetFirstFace(this->Mesh.Mesh, point)];
-    if (cell != NoId)
-    {
-      candidates[i] = { distance, cell };
-    }
-  }
-  std::vector<std::vector<Candidate>> all;
-  DGG_RETURN_IF_ERROR(group.ShareList(candidates, all));
-  const double diagonal = this->SurfaceBox.GetDiagonal();
-  std::size_t firstFar = count; // of the positions here that are too far away
-  double farDistance = 0.0;
-  for (std::size_t i = 0; i < count; ++i)
-  {
-    const auto best = std::min_element(
-      all.begin(), all.end(), [&](const auto& a, const auto& b) { return a[i] < b[i]; });
-    if (best - all.begin() != group.Here)
-    {
-      continue;
-    }
-    here.push_back(i);
-    const double distance = (*best)[i].Distance;
-    const bool isClose =
-      this->ClosestPoints && this->ClosestPoints->IsClose({}, distance, tolerance * diagonal);
-    if (!isClose && firstFar == count)
-    {
-      firstFar = i;
-      farDistance = distance;
-    }
-  }
-  std::vector<std::size_t> far;
-  DGG_RETURN_IF_ERROR(group.Share(firstFar, far));
-  return firstFar < count && firstFar == *std::min_element(far.begin(), far.end())
-    ? sources.RefuseDistant(firstFar, farDistance, tolerance, diagonal)
-    : Status::Success();
-}
-
 /// Links positions, and removes those whose links are complete.
 Status PieceLinks::LinkHere(const SourceCollection& sources, double accuracy,
   std::vector<std::size_t>& here, std::vector<PositionLink>& links) const
@@ -182,9 +106,7 @@ Status PieceLinks::LinkHere(const SourceCollection& sources, double accuracy,
   std::vector<std::size_t> left;
   for (const std::size_t i : here)
   {
-    SurfacePoint point;
-    double distance = 0.0;
-    this->ClosestPoints->FindClosestPoint(sources.GetPosition(i).data(), point, distance);
+    const SurfacePoint point = this->Locator.FindClosestPoint(sources.GetPosition(i));
     std::vector<GraphLink> found{ LinkOfVertex(point.Vertex) };
     std::vector<double> none;
     bool meetsRim = false;

@@ -7,7 +7,7 @@
 
 #include "dggCoreExport.h"    // for DGG_CORE_EXPORT
 #include "dggGraphBuilder.h"  // for links
-#include "dggLocator.h"       // for closest points
+#include "dggPieceLocator.h"  // for closest points
 #include "dggPieceSearch.h"   // for PieceSeed
 #include "dggProcessGroup.h"  // for messages
 #include "dggSurfaceRegion.h" // for the region
@@ -45,8 +45,6 @@ private:
   };
 
   Status MakeMesh(ProcessGroup& group);
-  Status ChooseHere(ProcessGroup& group, const SourceCollection& sources, double tolerance,
-    std::vector<std::size_t>& here) const;
   Status LinkHere(const SourceCollection& sources, double accuracy, std::vector<std::size_t>& here,
     std::vector<PositionLink>& links) const;
 
@@ -54,12 +52,8 @@ private:
   int NextLayers = 0; // of the next growth
   RegionMesh Mesh;
   std::vector<Offset> PointIds; // per vertex of the mesh
-  Box SurfaceBox;               // bounding box of the entire surface
-  ///@{
-  // Null without faces.
-  std::unique_ptr<const SurfaceLocator> ClosestPoints;
-  std::unique_ptr<const GraphBuilder> Builder;
-  ///@}
+  PieceLocator Locator;
+  std::unique_ptr<const GraphBuilder> Builder; // null without faces
 };
 }
 

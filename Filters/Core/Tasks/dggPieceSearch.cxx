@@ -195,17 +195,9 @@ Status PieceSearch::Run(ProcessGroup& group, const std::vector<PieceSeed>& seeds
 {
   result = PieceDistances();
   isUsable = true;
-  std::vector<GraphSeed> here; // at vertices of this part of the graph
-  for (const PieceSeed& seed : seeds)
-  {
-    const Id v = this->FindVertex(seed.PointId);
-    if (v != NoId)
-    {
-      here.push_back(seed.Seed);
-      here.back().Vertex = v;
-    }
-  }
-  DGG_RETURN_IF_ERROR(this->FindLabels(group, here, options));
+  const std::vector<GraphSeed> here = this->TakeSeeds(seeds);
+  this->ClearLabels();
+  DGG_RETURN_IF_ERROR(this->FindLabels(group, here, options, true));
   result.Labels.assign(this->Distances.begin(), this->Distances.begin() + this->PointsHere);
   if (!options.NeedsTree())
   {
@@ -240,6 +232,46 @@ Status PieceSearch::Run(ProcessGroup& group, const std::vector<PieceSeed>& seeds
     }
   }
   return Status::Success();
+}
+
+void PieceSearch::ClearLabels()
+{
+  SearchLabels(this->Distances, this->Origins, this->Touched, Infinity)
+    .Start(this->Graph.NumberOfVertices, {});
+  for (std::vector<double>& sent : this->LastSent)
+  {
+    std::fill(sent.begin(), sent.end(), Infinity);
+  }
+}
+
+Status PieceSearch::AddSeeds(ProcessGroup& group, const std::vector<PieceSeed>& seeds)
+{
+  return this->FindLabels(group, this->TakeSeeds(seeds), PieceSearchOptions(), false);
+}
+
+/// Returns the seeds at vertices of this part of the graph.
+std::vector<GraphSeed> PieceSearch::TakeSeeds(const std::vector<PieceSeed>& seeds) const
+{
+  std::vector<GraphSeed> here;
+  for (const PieceSeed& seed : seeds)
+  {
+    const Id v = this->FindVertex(seed.PointId);
+    if (v != NoId)
+    {
+      here.push_back(seed.Seed);
+      here.back().Vertex = v;
+    }
+  }
+  return here;
+}
+
+std::vector<Id> PieceSearch::ListConnected() const
+{
+  std::vector<Id> connected;
+  std::copy_if(this->ById.begin(), this->ById.end(), std::back_inserter(connected), [this](Id v) {
+    return this->IsHere(v) && this->Graph.Offsets[v] < this->Graph.Offsets[v + 1];
+  });
+  return connected;
 }
 
 Status PieceSearch::FindIsolated(ProcessGroup& group, const std::vector<PieceSeed>& seeds,
@@ -277,9 +309,10 @@ double PieceSearch::GetMemorySize() const
   return static_cast<double>(BytesOfVertex) * static_cast<double>(this->Ids.size());
 }
 
-/// Finds the labels of all vertices, and the tree of the vertices of this process.
-Status PieceSearch::FindLabels(
-  ProcessGroup& group, const std::vector<GraphSeed>& seeds, const PieceSearchOptions& options)
+/// Lowers the labels of all vertices by seeds, the first or further ones, and finds the tree of the
+/// vertices of this process.
+Status PieceSearch::FindLabels(ProcessGroup& group, std::vector<GraphSeed> seeds,
+  const PieceSearchOptions& options, bool areFirst)
 {
   SearchLabels labels(this->Distances, this->Origins, this->Touched, options.MaximumDistance);
   labels.Ids = this->Ids.data();
@@ -289,21 +322,17 @@ Status PieceSearch::FindLabels(
     return ShouldContinue(searchProgress,
       static_cast<double>(this->Touched.size()) / std::max<Id>(1, this->Graph.NumberOfVertices));
   };
-  for (std::vector<double>& sent : this->LastSent)
-  {
-    std::fill(sent.begin(), sent.end(), Infinity);
-  }
   std::vector<Message> messages;
-  for (bool isFirst = true, isOver = false; !isOver; isFirst = false)
+  for (bool isOver = false; !isOver; areFirst = false)
   {
-    if (!this->LowerLabels(
-          isFirst ? seeds : this->ReadLowered(messages), isFirst, labels, progress))
+    if (!this->LowerLabels(seeds, areFirst, labels, progress))
     {
       return Status::Abort();
     }
     DGG_RETURN_IF_ERROR(ReportTo(progress, 0.0));
     this->CollectLowered(messages);
     DGG_RETURN_IF_ERROR(group.Exchange(messages, this->GetMemorySize(), &isOver));
+    seeds = this->ReadLowered(messages);
   }
   return Status::Success();
 }

@@ -87,6 +87,18 @@ public:
   Status Run(ProcessGroup& group, const std::vector<PieceSeed>& seeds,
     const PieceSearchOptions& options, PieceDistances& result, bool& isUsable);
 
+  ///@{
+  /// Labels for an incremental search, which Run() replaces: without seeds, and lowered by further
+  /// seeds. GetLabels() has one per vertex of this part of the graph.
+  void ClearLabels();
+  Status AddSeeds(ProcessGroup& group, const std::vector<PieceSeed>& seeds);
+  const std::vector<double>& GetLabels() const { return this->Distances; }
+  ///@}
+  /// Returns the vertices with edges that belong to this process, in the order of their global ids.
+  std::vector<Id> ListConnected() const;
+  /// Returns the global id of a vertex.
+  Offset GetId(Id v) const { return this->Ids[v]; }
+
   /// Finds the seeds, by their indices, at points without edges.
   Status FindIsolated(ProcessGroup& group, const std::vector<PieceSeed>& seeds,
     std::vector<std::size_t>& isolated) const;
@@ -123,8 +135,9 @@ private:
   Status MeasureAngles(ProcessGroup& group, const SurfacePiece& piece, bool& isUsable);
   Status CountPoints(ProcessGroup& group, Offset& edges);
   Id FindVertex(Offset id) const;
-  Status FindLabels(
-    ProcessGroup& group, const std::vector<GraphSeed>& seeds, const PieceSearchOptions& options);
+  std::vector<GraphSeed> TakeSeeds(const std::vector<PieceSeed>& seeds) const;
+  Status FindLabels(ProcessGroup& group, std::vector<GraphSeed> seeds,
+    const PieceSearchOptions& options, bool areFirst);
   bool LowerLabels(const std::vector<GraphSeed>& seeds, bool areFirst, SearchLabels& labels,
     const ProgressCallback& progress);
   void CollectLowered(std::vector<Message>& messages);

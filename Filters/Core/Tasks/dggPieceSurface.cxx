@@ -5,7 +5,7 @@
 #include "dggCellCoordinates.h"
 #include "dggEdges.h"
 #include "dggMeshQuality.h"
-#include "dggOutput.h"
+#include "dggSurfaceOutput.h"
 #include "dggTaskContext.h"
 
 #include <algorithm>
@@ -148,8 +148,8 @@ Status PieceSurface::CheckFaces(ProcessGroup& group, bool& isUsable)
   }
   DGG_RETURN_IF_ERROR(group.Sum(faces));
   this->MeanEdgeLength = faces.Edges.GetMean();
-  isUsable = facts.IsRegular && facts.Defects.NonManifoldEdges == 0 &&
-    !MayHaveLongTriangles(faces.Anisotropy);
+  this->AreLong = MayHaveLongTriangles(faces.Anisotropy);
+  isUsable = facts.IsRegular && facts.Defects.NonManifoldEdges == 0;
   return Status::Success();
 }
 
@@ -177,7 +177,8 @@ Status PieceSurface::CheckIds(ProcessGroup& group, const SurfacePiece& piece, bo
   this->FirstPoint = all.Points.First;
   this->FirstCell = all.Cells.First;
   isUsable = all.Points.IsConsecutive() && all.Cells.IsConsecutive() &&
-    here.AreTriangles == all.AreTriangles && here.Cells.Count == piece.GetNumberOfCells();
+    here.AreTriangles == all.AreTriangles && here.Cells.Count == piece.GetNumberOfCells() &&
+    (here.Points.Count == 0 || !this->Polygons.CellIds.empty());
   return group.Require(isUsable);
 }
 
@@ -202,6 +203,55 @@ Status PieceSurface::Extend(ProcessGroup& group, int components, std::vector<dou
     sorted.insert(sorted.end(), at, at + components);
   }
   values.swap(sorted);
+  return Status::Success();
+}
+
+Status PieceSurface::Locate(ProcessGroup& group, const SourceCollection& sources, double tolerance,
+  std::vector<PieceLocator::Located>& here) const
+{
+  std::vector<Offset> cells; // of the piece
+  for (std::size_t f = 0; f < this->IsGhost.size(); ++f)
+  {
+    const Offset cell = this->Surface->GetCell(static_cast<Id>(f));
+    cells.push_back(this->IsGhost[f] ? NoId : this->Polygons.CellIds[cell]);
+  }
+  PieceLocator locator;
+  DGG_RETURN_IF_ERROR(locator.Prepare(
+    group, this->Surface->GetMeshWithoutAngles(), this->Surface->GetPositions(), cells));
+  return locator.Locate(group, sources, tolerance, here);
+}
+
+Id PieceSurface::FindVertex(Offset point, int process) const
+{
+  const std::vector<Id>& points = this->Polygons.Points;
+  const Offset id = this->FirstPoint + point;
+  const auto found = std::lower_bound(points.begin(), points.end(), id,
+    [this](Id p, Offset wanted) { return this->Region.GetPointId(p) < wanted; });
+  const bool isHere = found != points.end() && this->Region.GetPointId(*found) == id &&
+    this->Region.GetOwner(*found) == process;
+  return isHere ? static_cast<Id>(found - points.begin()) : NoId;
+}
+
+Status PieceSurface::WritePoints(const TaskContext& context, ProcessGroup& group,
+  const std::vector<PieceLocator::Located>& here, Output& output) const
+{
+  std::vector<SurfacePoint> points;
+  std::vector<std::size_t> order;
+  for (const PieceLocator::Located& located : here)
+  {
+    points.push_back(located.Point);
+    order.push_back(located.Position);
+  }
+  WriteSurfacePoints(this->MakeContext(context), points, output);
+  this->Renumber(output);
+  DGG_RETURN_IF_ERROR(group.Gather(order, 3, output.Points));
+  for (OutputArray& array : output.PointData)
+  {
+    DGG_RETURN_IF_ERROR(std::visit(
+      [&](auto& values) { return group.Gather(order, array.NumberOfComponents, values); },
+      array.Values));
+  }
+  WriteVerts(output.Points.Size() / 3, output);
   return Status::Success();
 }
 

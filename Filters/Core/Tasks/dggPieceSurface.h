@@ -6,6 +6,7 @@
 #define dggPieceSurface_h
 
 #include "dggCoreExport.h"      // for DGG_CORE_EXPORT
+#include "dggPieceLocator.h"    // for positions
 #include "dggPreparedSurface.h" // for the surface
 #include "dggProcessGroup.h"    // for messages
 #include "dggSurfaceRegion.h"   // for the region
@@ -26,8 +27,9 @@ class DGG_CORE_EXPORT PieceSurface
 public:
   /// Prepares the surface, with two layers of cells: the cells at the corners of the faces of the
   /// edges of the piece. `isUsable` becomes false on all processes if the pieces must be gathered:
-  /// for the reasons of BuildPieceGraph(), on long triangles, if an edge has more than two
-  /// faces, if ids are not consecutive, and if there are other cells than polygons.
+  /// for the reasons of BuildPieceGraph(), if an edge has more than two faces, if ids are not
+  /// consecutive, if there are other cells than polygons, and if a process has points without cells
+  /// only.
   Status Prepare(ProcessGroup& group, const SurfacePiece& piece, bool& isUsable);
 
   const PreparedSurface& Get() const { return *this->Surface; }
@@ -37,12 +39,24 @@ public:
   TaskContext MakeContext(const TaskContext& context) const;
   /// Returns 1 per face that belongs to another piece, otherwise 0.
   const std::vector<std::uint8_t>& GetGhosts() const { return this->IsGhost; }
+  /// Returns true if the triangles of the entire surface may be too long for a field.
+  bool HasLongTriangles() const { return this->AreLong; }
   /// Returns the mean edge length of the entire surface.
   double GetMeanEdgeLength() const { return this->MeanEdgeLength; }
 
   /// Replaces the values of points of the piece, `components` each, by those of all points of the
   /// surface.
   Status Extend(ProcessGroup& group, int components, std::vector<double>& values) const;
+  /// Locates positions: see PieceLocator::Locate().
+  Status Locate(ProcessGroup& group, const SourceCollection& sources, double tolerance,
+    std::vector<PieceLocator::Located>& here) const;
+  /// Returns the vertex at a point of the entire surface, given by its number, if the point belongs
+  /// to this process; otherwise NoId.
+  Id FindVertex(Offset point, int process) const;
+  /// Writes the points of all processes to the output of the first one, like WriteSurfacePoints()
+  /// on the entire surface. Point i of the output is the one with position i.
+  Status WritePoints(const TaskContext& context, ProcessGroup& group,
+    const std::vector<PieceLocator::Located>& here, Output& output) const;
   /// Replaces the points and cells in the arrays `vtkOriginalPointIds` and `FaceId` of an output by
   /// their numbers on the entire surface.
   void Renumber(Output& output) const;
@@ -56,6 +70,7 @@ private:
   SurfaceArrays Arrays; // of Polygons
   PreparedSurface::Pointer Surface;
   std::vector<std::uint8_t> IsGhost;
+  bool AreLong = false; // triangles
   double MeanEdgeLength = 0.0;
   Offset FirstPoint = 0; // smallest global ids
   Offset FirstCell = 0;

@@ -15,16 +15,21 @@
 namespace dgg
 {
 //------------------------------------------------------------------------------
+Status CheckFirstSample(Offset point, Offset numberOfPoints)
+{
+  return point >= -1 && point < numberOfPoints
+    ? Status::Success()
+    : InvalidInput("{FirstSample} ", point, " is out of range: the input has ",
+        Counted(numberOfPoints, "point"))
+        .At("FirstSample", point)
+        .Fix("Use an id from 0 to ", numberOfPoints - 1, ", or -1");
+}
+
+//------------------------------------------------------------------------------
 Status SetFirstSample(const PreparedSurface& surface, Offset point, SamplerOptions& options)
 {
-  const Id n = surface.GetMeshWithoutAngles().GetNumberOfVertices();
-  if (point < -1 || point >= n)
-  {
-    return InvalidInput(
-      "{FirstSample} ", point, " is out of range: the input has ", Counted(n, "point"))
-      .At("FirstSample", point)
-      .Fix("Use an id from 0 to ", n - 1, ", or -1");
-  }
+  DGG_RETURN_IF_ERROR(
+    CheckFirstSample(point, surface.GetMeshWithoutAngles().GetNumberOfVertices()));
   options.FirstVertex = point < 0 ? NoId : surface.GetVertex(point);
   return Status::Success();
 }
@@ -66,6 +71,13 @@ void WriteSamples(const TaskContext& context, const SamplerOptions& options,
     points.push_back(sample.Point);
   }
   WriteSurfacePoints(context, points, output);
+  DescribeSamples(options, samples, context.Surface.IsCloud(), output);
+}
+
+//------------------------------------------------------------------------------
+void DescribeSamples(const SamplerOptions& options, const std::vector<SurfaceSample>& samples,
+  bool isCloud, Output& output)
+{
   double* const radii = output.PointData.Add<double>("CoveringRadius", samples.size());
   std::transform(samples.begin(), samples.end(), radii,
     [](const SurfaceSample& sample) { return sample.CoveringRadius; });
@@ -73,13 +85,12 @@ void WriteSamples(const TaskContext& context, const SamplerOptions& options,
   const double radius = samples.empty() ? 0.0 : samples.back().CoveringRadius;
   if (static_cast<Offset>(samples.size()) < options.NumberOfSamples && !(radius > 0.0))
   {
-    const char* const others = context.Surface.IsCloud() ? ""
-      : options.InFaces                                  ? ", or subdivide the surface"
-                        : ", turn on {InFaces}, or subdivide the surface";
-    output.Warnings.push_back(
-      JoinText("No point of the ", context.Surface.IsCloud() ? "cloud" : "surface",
-        " is left after ", Counted(samples.size(), "sample"), ", but {NumberOfSamples} is ",
-        options.NumberOfSamples, ". Reduce {NumberOfSamples}", others));
+    const char* const others = isCloud ? ""
+      : options.InFaces                ? ", or subdivide the surface"
+                                       : ", turn on {InFaces}, or subdivide the surface";
+    output.Warnings.push_back(JoinText("No point of the ", isCloud ? "cloud" : "surface",
+      " is left after ", Counted(samples.size(), "sample"), ", but {NumberOfSamples} is ",
+      options.NumberOfSamples, ". Reduce {NumberOfSamples}", others));
   }
   if (!(radius < Infinity))
   {

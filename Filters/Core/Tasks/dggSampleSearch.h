@@ -15,6 +15,9 @@ class PreparedSurface;
 struct Output;
 struct TaskContext;
 
+/// Fails if a number is neither that of a point of the input nor -1.
+DGG_CORE_EXPORT Status CheckFirstSample(Offset point, Offset numberOfPoints);
+
 /// Sets the first sample: a point of the input, or -1 for an automatic one. Fails if there is no
 /// such point.
 DGG_CORE_EXPORT Status SetFirstSample(
@@ -28,6 +31,10 @@ DGG_CORE_EXPORT Status CheckSamplerOptions(const SamplerOptions& options);
 /// vertices.
 DGG_CORE_EXPORT Status FindSamples(const TaskContext& context, GraphSession& graph,
   SamplerOptions options, std::vector<SurfaceSample>& samples);
+
+/// Adds the point array `CoveringRadius` and the warnings of WriteSamples().
+DGG_CORE_EXPORT void DescribeSamples(const SamplerOptions& options,
+  const std::vector<SurfaceSample>& samples, bool isCloud, Output& output);
 
 /// Writes the samples with the point array `CoveringRadius`. Warns if there are fewer than
 /// requested, or fewer than components.

@@ -222,40 +222,129 @@ private:
   Id Farthest = NoId;
 };
 
+/// Farthest-point sampling at vertices.
 class Sampler
 {
 public:
-  Sampler(const GraphView& graph, const SurfaceMesh* mesh, const GraphBuilder* builder,
-    double accuracy, const SamplerOptions& options, std::vector<SurfaceSample>& samples)
-    : Graph(graph)
-    , Mesh(mesh)
-    , Builder(builder)
-    , Accuracy(accuracy)
-    , Options(options)
+  Sampler(
+    SampleDistances& points, const SamplerOptions& options, std::vector<SurfaceSample>& samples)
+    : Options(options)
     , Samples(samples)
-    , Points(graph, mesh)
+    , Points(points)
   {
   }
+  virtual ~Sampler() = default;
 
-  Status Run()
+  /// Takes the seeds of the given samples.
+  Status Run(const std::vector<std::vector<GraphSeed>>& given)
   {
-    DGG_RETURN_IF_ERROR(this->PrepareInside());
-    for (const SurfacePoint& point : this->Options.Given)
+    for (std::size_t i = 0; i < given.size(); ++i)
     {
-      Linked linked;
-      DGG_RETURN_IF_ERROR(this->Link(point, {}, linked));
-      DGG_RETURN_IF_ERROR(this->Add(point, linked.Seeds));
+      DGG_RETURN_IF_ERROR(this->Add(this->Options.Given[i], given[i]));
     }
-    if (this->Samples.empty())
+    if (this->Samples.empty() && this->Options.NumberOfSamples > 0)
     {
       DGG_RETURN_IF_ERROR(this->AddFirst());
     }
     while (this->GetRadius() > std::max(0.0, this->Options.CoveringRadius) &&
       static_cast<Offset>(this->Samples.size()) < this->Options.NumberOfSamples)
     {
+      const double done = static_cast<double>(this->Samples.size()) /
+        static_cast<double>(this->Options.NumberOfSamples);
+      DGG_RETURN_IF_ERROR(ReportTo(
+        this->Options.Progress, this->ProgressAtStart + (1.0 - this->ProgressAtStart) * done));
       DGG_RETURN_IF_ERROR(this->AddFarthest());
     }
     return Status::Success();
+  }
+
+protected:
+  /// Returns the distance of the farthest vertex or point from the samples.
+  virtual double GetRadius() const
+  {
+    return this->Farthest.Vertex == NoId ? 0.0 : this->Farthest.Distance;
+  }
+  virtual Status AddFarthest() { return this->AddVertex(this->Farthest.Vertex); }
+  /// Called when the distances from a new sample are known.
+  virtual Status Update(const SurfacePoint&) { return Status::Success(); }
+
+  Status AddVertex(Id v) { return this->Add(SurfacePoint::AtVertex(v), { SeedAt(v) }); }
+
+  Status Add(const SurfacePoint& point, const std::vector<GraphSeed>& seeds)
+  {
+    DGG_RETURN_IF_ERROR(this->Points.Add(seeds, {}));
+    DGG_RETURN_IF_ERROR(this->Update(point));
+    DGG_RETURN_IF_ERROR(this->Points.FindFarthest(this->Farthest));
+    this->Samples.push_back({ point, this->GetRadius() });
+    return Status::Success();
+  }
+
+  const SamplerOptions& Options;
+  std::vector<SurfaceSample>& Samples;
+  FarthestVertex Farthest;
+  double ProgressAtStart = 0.0;
+
+private:
+  Status AddFirst()
+  {
+    FarthestVertex first{ this->Options.FirstVertex };
+    if (first.Vertex == NoId)
+    {
+      DGG_RETURN_IF_ERROR(this->Points.FindFarthest(first));
+      if (first.Vertex == NoId)
+      {
+        return Status::Success(); // no edges
+      }
+      DGG_RETURN_IF_ERROR(this->Points.Add({ SeedAt(first.Vertex) }, {}));
+      DGG_RETURN_IF_ERROR(this->Points.FindFarthestReached(first));
+      this->Points.Reset();
+    }
+    return this->AddVertex(first.Vertex);
+  }
+
+  static GraphSeed SeedAt(Id vertex)
+  {
+    GraphSeed seed;
+    seed.Vertex = vertex;
+    return seed;
+  }
+
+  SampleDistances& Points;
+};
+
+/// Farthest-point sampling at vertices and in faces.
+class FaceSampler : public Sampler
+{
+public:
+  FaceSampler(const GraphView& graph, const SurfaceMesh& mesh, const GraphBuilder& builder,
+    double accuracy, FarthestPoints& points, const SamplerOptions& options,
+    std::vector<SurfaceSample>& samples)
+    : Sampler(points, options, samples)
+    , Graph(graph)
+    , Mesh(mesh)
+    , Builder(builder)
+    , Accuracy(accuracy)
+    , Points(points)
+  {
+  }
+
+  /// Prepares points between vertices if there are about as many samples as vertices.
+  Status Prepare()
+  {
+    Offset vertices = 0;
+    for (Id v = 0; v < this->Graph.NumberOfVertices; ++v)
+    {
+      vertices += this->Graph.Offsets[v] < this->Graph.Offsets[v + 1] ? 1 : 0;
+    }
+    const Offset count = this->Options.NumberOfSamples;
+    if (count > MostSamplesInside || VerticesPerSample * count <= vertices)
+    {
+      return Status::Success();
+    }
+    this->Inside = std::make_unique<InnerPlaces>(this->Graph, this->Mesh, this->Builder,
+      this->Accuracy, std::min(MostPlaces, PlacesPerSample * count));
+    this->ProgressAtStart = PlacesShare;
+    return this->Inside->LinkAll(ProgressPart(this->Options.Progress, 0.0, PlacesShare));
   }
 
 private:
@@ -266,66 +355,14 @@ private:
     double Distance = Infinity; ///< straight-line distance from other samples
   };
 
-  /// Prepares points between vertices if there are about as many samples as vertices.
-  Status PrepareInside()
+  double GetRadius() const override
   {
-    const auto isUsed = [this](
-                          Id v) { return this->Graph.Offsets[v] < this->Graph.Offsets[v + 1]; };
-    Offset vertices = 0;
-    for (Id v = 0; v < this->Graph.NumberOfVertices; ++v)
-    {
-      vertices += isUsed(v) ? 1 : 0;
-    }
-    const Offset count = this->Options.NumberOfSamples;
-    if (!this->Options.InFaces || !this->Mesh || !this->Builder || count > MostSamplesInside ||
-      VerticesPerSample * count <= vertices)
-    {
-      return Status::Success();
-    }
-    this->Inside = std::make_unique<InnerPlaces>(this->Graph, *this->Mesh, *this->Builder,
-      this->Accuracy, std::min(MostPlaces, PlacesPerSample * count));
-    this->ProgressAtStart = PlacesShare;
-    return this->Inside->LinkAll(ProgressPart(this->Options.Progress, 0.0, PlacesShare));
-  }
-
-  /// Returns the distance of the farthest vertex or point from the samples.
-  double GetRadius() const
-  {
-    const double radius = this->Farthest.Vertex == NoId ? 0.0 : this->Farthest.Distance;
+    const double radius = Sampler::GetRadius();
     return this->Inside ? std::max(radius, this->Inside->GetDistance()) : radius;
   }
 
-  Status AddFirst()
+  Status AddFarthest() override
   {
-    Id first = this->Options.FirstVertex;
-    if (first == NoId)
-    {
-      first = this->Points.Find().Vertex;
-      if (first == NoId || this->Options.NumberOfSamples < 1)
-      {
-        return Status::Success(); // no edges
-      }
-      DGG_RETURN_IF_ERROR(this->Points.Add({ SeedAt(first) }, {}));
-      const std::vector<double>& distances = this->Points.GetDistances();
-      for (Id v = 0; v < this->Graph.NumberOfVertices; ++v)
-      {
-        first = distances[v] < Infinity && distances[v] > distances[first] ? v : first;
-      }
-      this->Points.Reset();
-    }
-    if (this->Options.NumberOfSamples < 1)
-    {
-      return CheckVertex(first, this->Graph.NumberOfVertices);
-    }
-    return this->AddVertex(first);
-  }
-
-  Status AddFarthest()
-  {
-    const double done = static_cast<double>(this->Samples.size()) /
-      static_cast<double>(this->Options.NumberOfSamples);
-    DGG_RETURN_IF_ERROR(ReportTo(
-      this->Options.Progress, this->ProgressAtStart + (1.0 - this->ProgressAtStart) * done));
     if (this->Inside &&
       (this->Farthest.Vertex == NoId || this->Inside->GetDistance() > this->Farthest.Distance))
     {
@@ -336,7 +373,7 @@ private:
     }
     const Id v = this->Farthest.Vertex;
     SurfacePoint point;
-    if (this->Options.InFaces && this->FindBetter(v, point))
+    if (this->FindBetter(v, point))
     {
       Linked linked;
       DGG_RETURN_IF_ERROR(this->Link(point, this->Inner, linked));
@@ -351,32 +388,17 @@ private:
         return this->Add(point, linked.Seeds);
       }
     }
-    return this->AddVertex(v);
+    return Sampler::AddFarthest();
   }
 
-  static GraphSeed SeedAt(Id vertex)
+  Status Update(const SurfacePoint& point) override
   {
-    GraphSeed seed;
-    seed.Vertex = vertex;
-    return seed;
-  }
-
-  Status AddVertex(Id v) { return this->Add(SurfacePoint::AtVertex(v), { SeedAt(v) }); }
-
-  Status Add(const SurfacePoint& point, const std::vector<GraphSeed>& seeds)
-  {
-    DGG_RETURN_IF_ERROR(this->Points.Add(seeds, {}));
-    if (this->Inside)
-    {
-      DGG_RETURN_IF_ERROR(this->Inside->Update(point, this->Points.GetDistances()));
-    }
-    this->Farthest = this->Points.Find();
-    this->Samples.push_back({ point, this->GetRadius() });
-    if (point.On != SurfacePoint::Support::Vertex)
+    if (!IsVertex(point))
     {
       this->Inner.push_back(point);
     }
-    return Status::Success();
+    return this->Inside ? this->Inside->Update(point, this->Points.GetDistances())
+                        : Status::Success();
   }
 
   Status Link(
@@ -384,7 +406,7 @@ private:
   {
     std::vector<GraphLink> links;
     std::vector<double> direct;
-    Status status = FindLinks(this->Builder, point, this->Accuracy, others, links, direct);
+    Status status = FindLinks(&this->Builder, point, this->Accuracy, others, links, direct);
     AppendSeeds(links, linked.Seeds);
     for (const double distance : direct)
     {
@@ -397,16 +419,16 @@ private:
   /// there is none.
   bool FindBetter(Id v, SurfacePoint& point) const
   {
-    if (!this->Mesh || !this->Graph.Angles || !(this->Farthest.Distance < Infinity) ||
-      this->Mesh->Kind(v) == VertexKind::Irregular)
+    if (!this->Graph.Angles || !(this->Farthest.Distance < Infinity) ||
+      this->Mesh.Kind(v) == VertexKind::Irregular)
     {
       return false;
     }
     const std::vector<PlanarImage> images = this->FitImages(v);
     double reach = 0.0;
-    for (const Id* h = this->Mesh->FanBegin(v); h != this->Mesh->FanEnd(v); ++h)
+    for (const Id* h = this->Mesh.FanBegin(v); h != this->Mesh.FanEnd(v); ++h)
     {
-      reach = std::max(reach, this->Mesh->Length(*h));
+      reach = std::max(reach, this->Mesh.Length(*h));
     }
     Point2 best;
     double largest = ValueAt(images, best);
@@ -434,9 +456,9 @@ private:
     }
     SurfacePath path;
     const SurfacePoint start = SurfacePoint::AtVertex(v);
-    const double angle = DirectionAt(
-      *this->Mesh, start, std::atan2(best.Y, best.X) / UnrollFactor(*this->Mesh, start));
-    Status status = WalkStraight(*this->Mesh, start, angle, Norm(best.X, best.Y), path);
+    const double angle =
+      DirectionAt(this->Mesh, start, std::atan2(best.Y, best.X) / UnrollFactor(this->Mesh, start));
+    Status status = WalkStraight(this->Mesh, start, angle, Norm(best.X, best.Y), path);
     point = status.IsOk() ? path.Points.back() : start;
     return point.On != SurfacePoint::Support::Vertex;
   }
@@ -455,7 +477,7 @@ private:
   /// Fits the images of the samples around a vertex to the distances of its graph neighbors.
   std::vector<PlanarImage> FitImages(Id v) const
   {
-    const double unroll = UnrollFactor(*this->Mesh, SurfacePoint::AtVertex(v));
+    const double unroll = UnrollFactor(this->Mesh, SurfacePoint::AtVertex(v));
     const std::vector<double>& distances = this->Points.GetDistances();
     const std::vector<Id>& nearest = this->Points.GetNearestSamples();
     std::map<Id, PlaneFit> fits;
@@ -480,17 +502,19 @@ private:
   }
 
   const GraphView& Graph;
-  const SurfaceMesh* Mesh;
-  const GraphBuilder* Builder;
+  const SurfaceMesh& Mesh;
+  const GraphBuilder& Builder;
   double Accuracy;
-  const SamplerOptions& Options;
-  std::vector<SurfaceSample>& Samples;
-  FarthestPoints Points;
-  FarthestVertex Farthest;
+  FarthestPoints& Points;
   std::vector<SurfacePoint> Inner;     ///< samples that are not vertices
   std::unique_ptr<InnerPlaces> Inside; ///< null if vertices are dense enough
-  double ProgressAtStart = 0.0;
 };
+}
+
+Status SampleVertices(SampleDistances& points, const std::vector<std::vector<GraphSeed>>& given,
+  const SamplerOptions& options, std::vector<SurfaceSample>& samples)
+{
+  return Sampler(points, options, samples).Run(given);
 }
 
 Status SampleSurface(const GraphView& graph, const SurfaceMesh* mesh, const GraphBuilder* builder,
@@ -501,7 +525,30 @@ Status SampleSurface(const GraphView& graph, const SurfaceMesh* mesh, const Grap
   {
     return InvalidValue("CoveringRadius", options.CoveringRadius).Fix("Use a number");
   }
-  Status status = Sampler(graph, mesh, builder, accuracy, options, samples).Run();
+  if (options.Given.empty() && options.FirstVertex != NoId)
+  {
+    DGG_RETURN_IF_ERROR(CheckVertex(options.FirstVertex, graph.NumberOfVertices));
+  }
+  std::vector<std::vector<GraphSeed>> given;
+  for (const SurfacePoint& point : options.Given)
+  {
+    std::vector<GraphLink> links;
+    std::vector<double> direct;
+    DGG_RETURN_IF_ERROR(FindLinks(builder, point, accuracy, {}, links, direct));
+    given.push_back(MakeSeeds(links));
+  }
+  FarthestPoints points(graph, mesh);
+  Status status;
+  if (options.InFaces && mesh && builder)
+  {
+    FaceSampler sampler(graph, *mesh, *builder, accuracy, points, options, samples);
+    status = sampler.Prepare();
+    status = status.IsOk() ? sampler.Run(given) : status;
+  }
+  else
+  {
+    status = SampleVertices(points, given, options, samples);
+  }
   if (!status.IsOk())
   {
     samples.clear();

@@ -13,6 +13,9 @@
 
 namespace dgg
 {
+class SampleDistances;
+struct GraphSeed;
+
 struct SamplerOptions
 {
   /// Number of samples, including given ones; fewer if there are not enough vertices.
@@ -48,6 +51,12 @@ struct SurfaceSample
 /// null for clouds. `samples` is empty on failure.
 DGG_CORE_EXPORT Status SampleSurface(const GraphView& graph, const SurfaceMesh* mesh,
   const GraphBuilder* builder, double accuracy, const SamplerOptions& options,
+  std::vector<SurfaceSample>& samples);
+
+/// Like SampleSurface() with InFaces off, from the distances of another graph, which have no
+/// samples. `given` has the seeds of each given sample. `samples` must be empty.
+DGG_CORE_EXPORT Status SampleVertices(SampleDistances& points,
+  const std::vector<std::vector<GraphSeed>>& given, const SamplerOptions& options,
   std::vector<SurfaceSample>& samples);
 }
 

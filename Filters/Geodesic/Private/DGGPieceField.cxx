@@ -111,7 +111,7 @@ dgg::Status DGGPieceField::Prepare(const DGGPieceUpdate& update, bool& isDone)
     this->IsKnown = false; // unless this update succeeds
     this->Surface = std::make_unique<dgg::PieceSurface>();
     DGG_RETURN_IF_ERROR(this->Surface->Prepare(update.Group, update.Piece, isDone));
-    if (!isDone)
+    if (!isDone || this->Surface->HasLongTriangles())
     {
       this->Surface.reset();
     }

@@ -38,9 +38,9 @@ public:
   };
 
   /// Finds distances and virtual sources. `isDone` becomes false on all processes if the pieces
-  /// must be gathered: for the reasons of PieceSurface::Prepare(), if there are windows, or if
-  /// arrays are missing or are not those of vtkDGGDistance. `filter` is the information object of
-  /// the filter.
+  /// must be gathered: for the reasons of PieceSurface::Prepare(), on long triangles, if there are
+  /// windows, or if arrays are missing or are not those of vtkDGGDistance. `filter` is the
+  /// information object of the filter.
   dgg::Status Update(const DGGContext& context, const DGGPieceUpdate& update,
     vtkInformation* filter, const Options& options, bool& isDone);
 

@@ -1,0 +1,247 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Samples and probes that several processes compute together. Run under mpiexec; a single process
+/// is valid, too.
+#include "PieceGraphFixture.h"
+
+#include "vtkDGGDistance.h"
+#include "vtkGeodesicProbe.h"
+#include "vtkGeodesicSampler.h"
+
+#include <cmath>
+#include <functional>
+
+using namespace dggtest;
+
+namespace
+{
+/// A case of a filter; the message of a process is that of a single one.
+template <typename Filter>
+struct FilterCase
+{
+  const char* Name;
+  std::function<void(Filter*)> Prepare;
+};
+
+/// Returns messages without the addresses of filters.
+std::vector<std::string> StripAddresses(std::vector<std::string> messages)
+{
+  for (std::string& message : messages)
+  {
+    message.erase(0, message.find("): "));
+  }
+  return messages;
+}
+
+/// Returns the values of an array, with a number in place of NaN; empty without an array.
+std::vector<double> GetNumbers(vtkDataArray* array)
+{
+  std::vector<double> values;
+  for (vtkIdType i = 0; array && i < array->GetNumberOfTuples(); ++i)
+  {
+    for (int k = 0; k < array->GetNumberOfComponents(); ++k)
+    {
+      const double value = array->GetComponent(i, k);
+      values.push_back(std::isnan(value) ? -1e300 : value);
+    }
+  }
+  return values;
+}
+
+/// Expects that points and point arrays are equal, bit by bit.
+void ExpectSamePoints(vtkPolyData* output, vtkPolyData* expected)
+{
+  ASSERT_EQ(output->GetNumberOfPoints(), expected->GetNumberOfPoints());
+  EXPECT_EQ(output->GetNumberOfVerts(), expected->GetNumberOfVerts());
+  vtkPointData* data = output->GetPointData();
+  ASSERT_EQ(data->GetNumberOfArrays(), expected->GetPointData()->GetNumberOfArrays());
+  for (int i = 0; i < data->GetNumberOfArrays(); ++i)
+  {
+    EXPECT_EQ(GetNumbers(data->GetArray(i)),
+      GetNumbers(expected->GetPointData()->GetArray(data->GetArrayName(i))))
+      << data->GetArrayName(i);
+  }
+  if (output->GetNumberOfPoints() > 0)
+  {
+    EXPECT_EQ(
+      GetNumbers(output->GetPoints()->GetData()), GetNumbers(expected->GetPoints()->GetData()));
+  }
+}
+
+class PointsInPieces
+  : public PieceGraph
+  , public testing::WithParamInterface<Division>
+{
+protected:
+  /// Two terrains, with two components.
+  const vtkSmartPointer<vtkPolyData> Terrains = Beside(MakeTerrain(20), MakeTerrain(15), 2.0);
+
+  vtkSmartPointer<vtkPolyData> TakePiece(vtkPolyData* surface) const
+  {
+    return TakePart(surface, this->GetParam().Label(surface, this->Count), this->Here,
+      PartIds::Global, this->Count % 2 == 0);
+  }
+
+  /// Returns points in cells, on edges and at points, one of which several processes have.
+  vtkSmartPointer<vtkPolyData> MakePoints() const
+  {
+    const auto points = MakePointsOfCells(this->Terrains);
+    const vtkIdType shared =
+      FindSharedPoint(this->Terrains, this->GetParam().Label(this->Terrains, this->Count));
+    for (const vtkIdType id : { shared, this->Terrains->GetNumberOfPoints() - 3 })
+    {
+      points->GetPoints()->InsertNextPoint(this->Terrains->GetPoint(id));
+    }
+    return points;
+  }
+
+  /// Updates a filter on all processes, with pieces that must not be gathered. Expects the outputs
+  /// and messages of a single process. Returns the filter.
+  template <typename Filter>
+  vtkSmartPointer<Filter> ExpectSame(
+    vtkPolyData* piece, vtkPolyData* surface, const std::function<void(Filter*)>& prepare)
+  {
+    vtkNew<Filter> alone;
+    alone->SetController(nullptr);
+    alone->SetInputData(surface);
+    prepare(alone);
+    const Listener expected(alone);
+    alone->Update();
+    auto together = vtkSmartPointer<Filter>::New();
+    together->SetInputData(piece);
+    together->SetGatherLimit(1);
+    prepare(together);
+    const Listener listener(together);
+    this->Update(together);
+    EXPECT_EQ(StripAddresses(listener.Errors), StripAddresses(expected.Errors));
+    EXPECT_EQ(StripAddresses(listener.Warnings),
+      this->IsFirst() ? StripAddresses(expected.Warnings) : std::vector<std::string>());
+    ExpectSamePoints(
+      together->GetOutput(), this->IsFirst() ? alone->GetOutput() : vtkNew<vtkPolyData>().Get());
+    return together;
+  }
+};
+}
+
+//------------------------------------------------------------------------------
+/// Samples, messages and covering radii are those of a single process.
+TEST_P(PointsInPieces, SamplesAreTheSame)
+{
+  const auto piece = this->TakePiece(this->Terrains);
+  const auto points = this->MakePoints();
+  using F = vtkGeodesicSampler;
+  const FilterCase<F> cases[] = {
+    { "Automatic", [](F* filter) { filter->SetNumberOfSamples(40); } },
+    { "FirstSample",
+      [](F* filter) {
+        filter->SetFirstSample(77);
+        filter->SetNumberOfSamples(40);
+      } },
+    { "CoveringRadius",
+      [](F* filter) {
+        filter->SetCoveringRadius(0.3);
+        filter->SetNumberOfSamples(1000);
+      } },
+    { "Start",
+      [&](F* filter) {
+        filter->SetStartData(points);
+        filter->SetNumberOfSamples(50);
+      } },
+    { "MoreComponentsThanSamples", [](F* filter) { filter->SetNumberOfSamples(1); } },
+    { "MoreSamplesThanPoints", [](F* filter) { filter->SetNumberOfSamples(1000); } },
+    { "FirstSampleOutOfRange", [](F* filter) { filter->SetFirstSample(625); } },
+    { "DistantStart",
+      [](F* filter) {
+        filter->SetStartData(MakeSourcePoints({ { { 0.5, 0.5, 9.0 } } }));
+      } },
+    { "NoStart", [](F* filter) { filter->SetStartData(vtkNew<vtkPolyData>()); } },
+  };
+  for (const FilterCase<F>& tested : cases)
+  {
+    SCOPED_TRACE(tested.Name);
+    this->ExpectSame<F>(piece, this->Terrains, [&](F* filter) {
+      filter->SetAccuracy(0.1);
+      tested.Prepare(filter);
+    });
+  }
+}
+
+//------------------------------------------------------------------------------
+/// Probed distances and messages are those of a single process.
+TEST_P(PointsInPieces, ProbedDistancesAreTheSame)
+{
+  const auto search = [&](auto* filter) {
+    filter->SetAccuracy(0.1);
+    filter->SetInputData(1, this->MakeSources());
+    filter->SetMaximumDistance(0.8);
+    filter->SetUnreachedValue(-1.0);
+    filter->GenerateVirtualSourceOn();
+  };
+  const auto alone = Alone<vtkDGGDistance>(this->Terrains, search);
+  const auto distance = this->Together<vtkDGGDistance>(this->TakePiece(this->Terrains), search);
+  const auto points = this->MakePoints();
+  const auto distant = MakeSourcePoints({ { { 0.5, 0.5, 9.0 } } });
+  using F = vtkGeodesicProbe;
+  const FilterCase<F> cases[] = {
+    { "Points", [&](F* filter) { filter->SetProbeData(points); } },
+    { "OnePoint", [&](F* filter) { filter->SetProbeData(this->MakeSources()); } },
+    { "DistantPoint", [&](F* filter) { filter->SetProbeData(distant); } },
+    { "DistantPointWithinTolerance",
+      [&](F* filter) {
+        filter->SetProbeData(distant);
+        filter->SetProjectionTolerance(10.0);
+      } },
+    { "NoPoint", [](F* filter) { filter->SetProbeData(vtkNew<vtkPolyData>()); } },
+    { "NoInput", [](F*) {} },
+  };
+  for (const FilterCase<F>& tested : cases)
+  {
+    SCOPED_TRACE(tested.Name);
+    this->ExpectSame<F>(distance->GetOutput(), alone->GetOutput(), [&](F* filter) {
+      filter->SetUnreachedValue(-1.0);
+      tested.Prepare(filter);
+    });
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Divisions, PointsInPieces, testing::ValuesIn(divisions),
+  [](const auto& tested) { return tested.param.Name; });
+
+//------------------------------------------------------------------------------
+/// An abort of one process ends the update of all, after which samples are those of one process.
+/// Samples in faces are gathered.
+TEST_F(PieceGraph, SamplesAfterAbortsAndInFaces)
+{
+  const auto prepare = [](auto* filter) {
+    filter->SetAccuracy(0.05);
+    filter->SetNumberOfSamples(30);
+  };
+  const auto alone = Alone<vtkGeodesicSampler>(this->Surface, prepare);
+  vtkNew<vtkGeodesicSampler> sampler;
+  sampler->SetInputData(this->TakeStrip(this->Surface, PartIds::Global));
+  prepare(sampler.Get());
+  const auto expectSamples = [&](vtkGeodesicSampler* expected) {
+    this->Update(sampler);
+    ExpectSamePoints(
+      sampler->GetOutput(), this->IsFirst() ? expected->GetOutput() : vtkNew<vtkPolyData>().Get());
+  };
+  ProgressWatch watch(sampler);
+  for (const double stopAt : { 0.3, 0.6, 0.9 })
+  {
+    watch.StopAt = this->Here == this->Count - 1 ? stopAt : 2.0;
+    sampler->Modified();
+    this->Update(sampler);
+    EXPECT_EQ(sampler->GetOutput()->GetNumberOfPoints(), 0) << stopAt;
+    watch.StopAt = 2.0;
+    expectSamples(alone);
+    EXPECT_EQ(this->Sum(sampler->GetNumberOfGraphEdges()), alone->GetNumberOfGraphEdges());
+  }
+  sampler->InFacesOn();
+  const auto inFaces = Alone<vtkGeodesicSampler>(this->Surface, [&](auto* filter) {
+    prepare(filter);
+    filter->InFacesOn();
+  });
+  expectSamples(inFaces);
+  EXPECT_EQ(sampler->GetNumberOfGraphEdges(), this->IsFirst() ? alone->GetNumberOfGraphEdges() : 0);
+}
