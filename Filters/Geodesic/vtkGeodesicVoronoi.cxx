@@ -5,13 +5,19 @@
 #include "DGGFieldInput.h"
 #include "DGGGraphUser.h"
 #include "DGGOutput.h"
+#include "DGGPieceSearches.h"
 #include "DGGProperties.h"
 #include "DGGSources.h"
 
+#include "dggDistanceOutput.h"
 #include "dggOutput.h"
+#include "dggPieceDistances.h"
+#include "dggPieceVoronoi.h"
 #include "dggPreparedSurface.h"
+#include "dggProcessGroup.h"
 #include "dggPropagationSession.h"
 #include "dggPropertyChecks.h"
+#include "dggSourceCollection.h"
 #include "dggVoronoiTask.h"
 
 #include "vtkCellData.h"
@@ -37,6 +43,13 @@ public:
   dgg::Status CheckProperties() const override;
   dgg::Status Execute(const DGGContext& context, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
+  bool CanDistribute() const override
+  {
+    return !this->Self->GenerateCells && !this->Self->Centroidal && !this->Self->Preview &&
+      !this->Self->PassSiteArrays;
+  }
+  dgg::Status ExecutePiece(
+    const DGGContext& context, const DGGPieceUpdate& update, bool& isDone) override;
   bool PassesSurface() const override { return true; }
   void MakeEmptyOutput(const DGGContext& context, vtkInformationVector* outputVector) override;
   std::string GetMemoryRemedy() const override
@@ -50,7 +63,10 @@ private:
   dgg::Status FillOutputs(const DGGContext& context, const dgg::VoronoiOptions& options,
     const dgg::VoronoiResult& result, vtkInformationVector* outputVector);
 
+  void FillSurface(const DGGContext& context, dgg::Output& labels, vtkPolyData* surface) const;
+
   dgg::PropagationSession PreviewSolver;
+  DGGPieceSearches Searches; // of the last update in pieces
 };
 
 vtkDGGInternalsMacro(vtkGeodesicVoronoi);
@@ -154,6 +170,7 @@ dgg::VoronoiOptions vtkGeodesicVoronoi::vtkInternals::MakeOptions() const
 dgg::Status vtkGeodesicVoronoi::vtkInternals::Execute(
   const DGGContext& context, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
+  this->Searches = DGGPieceSearches();
   const DGGSourceSet set = this->GetSiteSet(inputVector);
   const dgg::VoronoiOptions options = this->MakeOptions();
   dgg::VoronoiResult result;
@@ -184,22 +201,69 @@ dgg::Status vtkGeodesicVoronoi::vtkInternals::Execute(
 }
 
 //------------------------------------------------------------------------------
+dgg::Status vtkGeodesicVoronoi::vtkInternals::ExecutePiece(
+  const DGGContext& context, const DGGPieceUpdate& update, bool& isDone)
+{
+  dgg::ProcessGroup& group = update.Group;
+  dgg::SourceCollection sites;
+  vtkSmartPointer<vtkPolyData> points;
+  DGG_RETURN_IF_ERROR(
+    DGGCollectFromAll(update, this->GetSiteSet(update.Inputs), sites, points, isDone));
+  if (isDone)
+  {
+    DGG_RETURN_IF_ERROR(this->Searches.Prepare(context, update,
+      { sites.GetNumberOfPositions() > 0, false, true }, this->GraphUser, this->Self, isDone));
+  }
+  if (!isDone)
+  {
+    return dgg::Status::Success();
+  }
+  dgg::PieceDistanceOptions options;
+  options.Tolerance = this->Self->ProjectionTolerance;
+  DGG_RETURN_IF_ERROR(group.TakeFromFirst(options.Tolerance));
+  options.Accuracy = this->Searches.GetAccuracy();
+  dgg::DistanceOutput labels;
+  dgg::Output outputs[4]; // other than labels
+  DGG_RETURN_IF_ERROR(
+    dgg::FindPieceLabels(context, group, *this->Searches.GetSurface(), this->Searches.GetSearch(),
+      this->Searches.GetLinks(), sites, options, this->MakeOptions(), labels, outputs[3], isDone));
+  if (!isDone)
+  {
+    return dgg::Status::Success();
+  }
+  this->Searches.Keep(this->GraphUser, this->Self);
+  this->Warn(labels.Warnings);
+  this->FillSurface(context, labels, vtkPolyData::GetData(update.Outputs, 0));
+  for (int port = 1; port < 4 && group.Here == 0; ++port)
+  {
+    DGG_RETURN_IF_ERROR(this->FillOutput(context, outputs[port], update.Outputs, port));
+  }
+  return dgg::Status::Success();
+}
+
+//------------------------------------------------------------------------------
 dgg::Status vtkGeodesicVoronoi::vtkInternals::FillOutputs(const DGGContext& context,
   const dgg::VoronoiOptions& options, const dgg::VoronoiResult& result,
   vtkInformationVector* outputVector)
 {
   dgg::Output outputs[4];
   dgg::WriteVoronoi(context, options, result, outputs[0], outputs[1], outputs[2], outputs[3]);
-  vtkPolyData* surface = vtkPolyData::GetData(outputVector, 0);
-  surface->ShallowCopy(context.Input);
-  // Windows and marks of the input belong to the replaced array.
-  DGGRemoveDistances(surface, this->Self->DistanceArrayName);
-  DGGAddArrays(outputs[0], surface);
+  this->FillSurface(context, outputs[0], vtkPolyData::GetData(outputVector, 0));
   for (int port = 1; port < 4; ++port)
   {
     DGG_RETURN_IF_ERROR(this->FillOutput(context, outputs[port], outputVector, port));
   }
   return dgg::Status::Success();
+}
+
+//------------------------------------------------------------------------------
+void vtkGeodesicVoronoi::vtkInternals::FillSurface(
+  const DGGContext& context, dgg::Output& labels, vtkPolyData* surface) const
+{
+  surface->ShallowCopy(context.Input);
+  // Windows and marks of the input belong to the replaced array.
+  DGGRemoveDistances(surface, this->Self->DistanceArrayName);
+  DGGAddArrays(labels, surface);
 }
 
 //------------------------------------------------------------------------------

@@ -193,11 +193,10 @@ public:
   void WriteSites(Output& output) const
   {
     WriteSurfacePoints(this->Context, GetPoints(this->Result.Sites), output);
-    const std::size_t count = this->Result.Sites.size();
-    std::int32_t* const ids = output.PointData.Add<std::int32_t>("SiteId", count);
-    std::iota(ids, ids + count, 0);
+    AddSiteIds(output);
     if (!HasLabelsOnly(this->Context, this->Options))
     {
+      const std::size_t count = this->Result.Sites.size();
       const std::vector<double> areas = this->SumAreas();
       std::copy_n(areas.begin(), count, output.PointData.Add<double>("CellArea", count));
     }
@@ -373,5 +372,13 @@ void WriteVoronoi(const TaskContext& context, const VoronoiOptions& options,
     writer.WriteCells(cells);
   }
   writer.WriteSites(sites);
+}
+
+//------------------------------------------------------------------------------
+void AddSiteIds(Output& sites)
+{
+  const std::size_t count = sites.Points.Size() / 3;
+  std::int32_t* const ids = sites.PointData.Add<std::int32_t>("SiteId", count);
+  std::iota(ids, ids + count, 0);
 }
 }

@@ -69,6 +69,9 @@ DGG_CORE_EXPORT std::vector<Id> GetNearestSites(
 /// - `sites`: points with the arrays `SiteId` and, unless there are only labels, `CellArea`.
 DGG_CORE_EXPORT void WriteVoronoi(const TaskContext& context, const VoronoiOptions& options,
   const VoronoiResult& result, Output& surface, Output& borders, Output& cells, Output& sites);
+
+/// Adds the array `SiteId` to the points of all sites.
+DGG_CORE_EXPORT void AddSiteIds(Output& sites);
 }
 
 #endif

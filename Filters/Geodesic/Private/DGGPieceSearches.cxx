@@ -36,6 +36,7 @@ dgg::Status DGGPieceSearches::Prepare(const DGGContext& context, const DGGPieceU
     this->Search.reset();
     this->Links.reset();
     this->VirtualSources.reset();
+    this->Surface.reset();
     this->Key = graph.GetKey();
   }
   const auto prepare = [&](bool isNeeded, auto& part, const auto&... arguments) {
@@ -55,6 +56,7 @@ dgg::Status DGGPieceSearches::Prepare(const DGGContext& context, const DGGPieceU
   isDone = isDone && this->Search->HasConsecutiveIds();
   DGG_RETURN_IF_ERROR(prepare(needs.Links, this->Links));
   DGG_RETURN_IF_ERROR(prepare(needs.VirtualSources, this->VirtualSources));
+  DGG_RETURN_IF_ERROR(prepare(needs.Surface, this->Surface));
   if (!isDone)
   {
     user.RefusePiece();

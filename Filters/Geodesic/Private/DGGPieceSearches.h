@@ -10,6 +10,7 @@
 
 #include "dggPieceLinks.h"          // for positions
 #include "dggPieceSearch.h"         // for the search
+#include "dggPieceSurface.h"        // for the surface
 #include "dggPieceVirtualSources.h" // for virtual sources
 
 #include "vtkSmartPointer.h" // for joined points
@@ -27,6 +28,7 @@ public:
   {
     bool Links = false; ///< sources have positions
     bool VirtualSources = false;
+    bool Surface = false;
   };
 
   /// Updates the graph of the piece and prepares searches unless the last update has done so. The
@@ -38,10 +40,12 @@ public:
   void Keep(DGGGraphUser& user, vtkObject* filter);
 
   ///@{
-  /// Results of Prepare(). Links and virtual sources may be null unless they are needed.
+  /// Results of Prepare(). Links, virtual sources and the surface may be null unless they are
+  /// needed.
   dgg::PieceSearch& GetSearch() const { return *this->Search; }
   dgg::PieceLinks* GetLinks() const { return this->Links.get(); }
   const dgg::PieceVirtualSources* GetVirtualSources() const { return this->VirtualSources.get(); }
+  const dgg::PieceSurface* GetSurface() const { return this->Surface.get(); }
   /// Returns the accuracy of links, which is the same on all processes.
   double GetAccuracy() const { return this->Accuracy; }
   ///@}
@@ -50,6 +54,7 @@ private:
   std::unique_ptr<dgg::PieceSearch> Search;
   std::unique_ptr<dgg::PieceLinks> Links;
   std::unique_ptr<dgg::PieceVirtualSources> VirtualSources;
+  std::unique_ptr<dgg::PieceSurface> Surface;
   DGGGraphArrays::Key Key; // of the graph
   double Accuracy = 0.0;
   bool IsKept = false;

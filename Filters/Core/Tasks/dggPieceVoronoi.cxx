@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "dggPieceVoronoi.h"
+
+#include "dggDistanceOutput.h"
+#include "dggPieceDistances.h"
+#include "dggPieceSurface.h"
+#include "dggSourceCollection.h"
+#include "dggVoronoiTask.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace dgg
+{
+Status FindPieceLabels(const TaskContext& context, ProcessGroup& group, const PieceSurface& surface,
+  PieceSearch& search, PieceLinks* links, const SourceCollection& collection,
+  const PieceDistanceOptions& options, const VoronoiOptions& voronoi, DistanceOutput& labels,
+  Output& sites, bool& isDone)
+{
+  DistanceRequest request;
+  request.UnreachedValue = voronoi.UnreachedValue;
+  request.WantNearestSource = true;
+  request.Names = { voronoi.DistanceName, voronoi.SourceName, "" };
+  DGG_RETURN_IF_ERROR(FindPieceDistances(
+    context, group, search, links, nullptr, collection, options, request, labels, isDone));
+  if (!isDone)
+  {
+    return Status::Success();
+  }
+  labels.PointScalars = voronoi.SourceName;
+  std::vector<PieceLocator::Located> here;
+  if (collection.GetNumberOfPositions() > 0)
+  {
+    DGG_RETURN_IF_ERROR(surface.Locate(group, collection, options.Tolerance, here));
+  }
+  const std::size_t ids = collection.Ids.size();
+  for (PieceLocator::Located& site : here)
+  {
+    site.Position += ids;
+  }
+  for (std::size_t i = 0; i < ids; ++i)
+  {
+    const Id v = surface.FindVertex(collection.Ids[i], group.Here);
+    if (v != NoId)
+    {
+      here.push_back({ i, SurfacePoint::AtVertex(v) });
+    }
+  }
+  DGG_RETURN_IF_ERROR(surface.WritePoints(context, group, here, sites));
+  AddSiteIds(sites);
+  return Status::Success();
+}
+}

@@ -1,0 +1,123 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Nearest sites that several processes find together. Run under mpiexec; a single process is
+/// valid, too.
+#include "PieceGraphFixture.h"
+
+#include "vtkGeodesicVoronoi.h"
+
+#include "vtkIdTypeArray.h"
+
+using namespace dggtest;
+
+namespace
+{
+/// Expects equal points with equal arrays in the same order.
+void ExpectSamePoints(vtkPolyData* output, vtkPolyData* expected)
+{
+  ASSERT_EQ(output->GetNumberOfPoints(), expected->GetNumberOfPoints());
+  ASSERT_EQ(output->GetNumberOfVerts(), expected->GetNumberOfVerts());
+  ASSERT_EQ(
+    output->GetPointData()->GetNumberOfArrays(), expected->GetPointData()->GetNumberOfArrays());
+  for (vtkIdType i = 0; i < expected->GetNumberOfPoints(); ++i)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      EXPECT_EQ(output->GetPoint(i)[axis], expected->GetPoint(i)[axis]) << "point " << i;
+    }
+    for (int a = 0; a < expected->GetPointData()->GetNumberOfArrays(); ++a)
+    {
+      vtkDataArray* values = expected->GetPointData()->GetArray(a);
+      vtkDataArray* array = output->GetPointData()->GetArray(a);
+      ASSERT_STREQ(array->GetName(), values->GetName());
+      for (int k = 0; k < values->GetNumberOfComponents(); ++k)
+      {
+        EXPECT_EQ(array->GetComponent(i, k), values->GetComponent(i, k))
+          << values->GetName() << " of point " << i;
+      }
+    }
+  }
+}
+
+class VoronoiInPieces
+  : public PieceGraph
+  , public testing::WithParamInterface<Division>
+{
+};
+}
+
+//------------------------------------------------------------------------------
+/// Labels and sites are those of a single process, bit by bit, and the surface is not gathered.
+/// Sites are at a point of two pieces, at the same position, and in cells.
+/// Points of one component are not reached.
+TEST_P(VoronoiInPieces, LabelsAreTheSame)
+{
+  const auto surface = Beside(this->Surface, MakeTerrain(12), 2.0);
+  const Labels labels = this->GetParam().Label(surface, this->Count);
+  const auto piece = TakePart(surface, labels, this->Here, PartIds::Global, this->Count % 2 == 0);
+  const vtkIdType shared = FindSharedPoint(surface, labels);
+  const auto points = MakePointsOfCells(this->Surface);
+  for (const bool hasPoints : { false, true })
+  {
+    const auto prepare = [&](auto* filter) {
+      filter->SetAccuracy(0.1);
+      filter->GenerateCellsOff();
+      filter->SetSiteIds({ 100, shared, 100 });
+      filter->SetSiteData(hasPoints ? points.Get() : nullptr);
+      filter->SetUnreachedValue(-1.0);
+    };
+    const auto alone = Alone<vtkGeodesicVoronoi>(surface, prepare);
+    const auto together = this->Together<vtkGeodesicVoronoi>(piece, prepare);
+    for (const char* name : { "GeodesicSource", "GeodesicDistance", "GeodesicDistance.Unreached" })
+    {
+      ExpectArray(together->GetOutput(), alone->GetOutput(), name, 0.0);
+    }
+    if (this->IsFirst())
+    {
+      ExpectSamePoints(together->GetSites(), alone->GetSites());
+    }
+    EXPECT_GT(this->Sum(this->IsFirst() ? 0 : together->GetNumberOfGraphEdges()), 0);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Divisions, VoronoiInPieces, testing::ValuesIn(divisions),
+  [](const auto& tested) { return tested.param.Name; });
+
+//------------------------------------------------------------------------------
+/// Sites on a surface of quads, one of them at a point without cells.
+TEST_F(PieceGraph, ReportsSitesWithoutCells)
+{
+  const auto surface = MakeGrid(24, 10, GridCells::Quads);
+  const auto piece = this->TakeStrip(surface, PartIds::Global);
+  const vtkIdType isolated = surface->GetPoints()->InsertNextPoint(0.5, 0.5, 3.0);
+  if (this->Here == this->Count - 1)
+  {
+    piece->GetPoints()->InsertNextPoint(surface->GetPoint(isolated));
+    for (const char* name : { "Whole", "GlobalPointIds" })
+    {
+      vtkIdTypeArray::SafeDownCast(piece->GetPointData()->GetArray(name))
+        ->InsertNextValue(isolated);
+    }
+  }
+  const auto prepare = [&](auto* filter) {
+    filter->SetAccuracy(0.1);
+    filter->GenerateCellsOff();
+    filter->SetSiteIds({ isolated, 3 });
+    filter->SetUnreachedValue(-1.0);
+  };
+  const auto alone = Alone<vtkGeodesicVoronoi>(surface, prepare);
+  vtkNew<vtkGeodesicVoronoi> voronoi;
+  voronoi->SetInputData(piece);
+  prepare(voronoi.Get());
+  const Listener listener(voronoi);
+  this->Update(voronoi);
+  EXPECT_TRUE(listener.Errors.empty());
+  ASSERT_EQ(listener.Warnings.size(), this->IsFirst() ? 1u : 0u);
+  ExpectArray(voronoi->GetOutput(), alone->GetOutput(), "GeodesicSource", 0.0);
+  if (this->IsFirst())
+  {
+    EXPECT_NE(listener.Warnings[0].find("Site id"), std::string::npos) << listener.Warnings[0];
+    ExpectSamePoints(voronoi->GetSites(), alone->GetSites());
+  }
+}
