@@ -20,7 +20,6 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
-#include <array>
 #include <limits>
 #include <string>
 #include <vector>
@@ -251,26 +250,10 @@ dgg::Status vtkApolloniusIsolines::vtkInternals::ExecutePiece(
   dgg::IsolineResult result;
   DGG_RETURN_IF_ERROR(dgg::FindIsolines(
     onPiece, field, options, dgg::ProgressPart(context.Progress, ReadingShare, 1.0), result));
-  struct Summary
-  {
-    std::array<double, 2> Range;
-    bool HasLines;
-  };
-  std::vector<Summary> pieces;
-  DGG_RETURN_IF_ERROR(group.Share(
-    Summary{ this->PieceField.GetReader().FindRange(), !result.Lines.Lines.empty() }, pieces));
-  Summary all = pieces.front();
-  for (const Summary& piece : pieces)
-  {
-    all.Range = { { std::min(all.Range[0], piece.Range[0]),
-      std::max(all.Range[1], piece.Range[1]) } };
-    all.HasLines = all.HasLines || piece.HasLines;
-  }
-  const std::string warning = dgg::DescribeMissingLines(options, all.Range, all.HasLines);
-  if (group.Here == 0)
-  {
-    this->WarnAboutNoLine(warning);
-  }
+  std::string warning;
+  DGG_RETURN_IF_ERROR(dgg::DescribeMissingLines(group, options,
+    this->PieceField.GetReader().FindRange(), !result.Lines.Lines.empty(), warning));
+  this->WarnAboutNoLine(warning);
   this->Self->UsedVirtualSources = !first.IsLinear;
   this->Self->NumberOfFallbacks = result.Lines.Fallbacks;
   return this->FillOutputs(onPiece, options.Values, result, this->PieceField.GetName(),

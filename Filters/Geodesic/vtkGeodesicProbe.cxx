@@ -139,21 +139,14 @@ dgg::Status vtkGeodesicProbe::vtkInternals::ExecutePiece(
     return dgg::Status::Success();
   }
   const dgg::PieceSurface& surface = this->PieceField.GetSurface();
-  std::vector<dgg::PieceLocator::Located> here;
+  dgg::PiecePoints here;
   DGG_RETURN_IF_ERROR(probes.Check(0));
   DGG_RETURN_IF_ERROR(surface.Locate(group, probes, first.Tolerance, here));
-  std::vector<dgg::SurfacePoint> places;
-  std::vector<std::size_t> order;
-  for (const dgg::PieceLocator::Located& located : here)
-  {
-    places.push_back(located.Point);
-    order.push_back(located.Position);
-  }
-  dgg::Buffer<double> found(places.size());
+  dgg::Buffer<double> found(here.Points.size());
   DGG_RETURN_IF_ERROR(
     dgg::ProbeField(this->PieceField.MakeContext(context), this->PieceField.GetReader().GetField(),
-      places, dgg::ProgressPart(context.Progress, ReadDone, 1.0), found.Data()));
-  DGG_RETURN_IF_ERROR(group.Gather(order, 1, found));
+      here.Points, dgg::ProgressPart(context.Progress, ReadDone, 1.0), found.Data()));
+  DGG_RETURN_IF_ERROR(group.Gather(here.Indices, 1, found));
   if (group.Here == 0)
   {
     FillOutput(points, this->PieceField.GetName(), found, vtkPolyData::GetData(update.Outputs));

@@ -245,3 +245,31 @@ TEST_F(PieceGraph, SamplesAfterAbortsAndInFaces)
   expectSamples(inFaces);
   EXPECT_EQ(sampler->GetNumberOfGraphEdges(), this->IsFirst() ? alone->GetNumberOfGraphEdges() : 0);
 }
+
+//------------------------------------------------------------------------------
+/// Surfaces are gathered if points name cells, or if distances have no virtual sources.
+TEST_F(PieceGraph, PointsThatAreGathered)
+{
+  const auto piece = this->TakeStrip(this->Surface, PartIds::Global);
+  const auto expectSame = [&](auto* together, auto* alone) {
+    ExpectSamePoints(
+      together->GetOutput(), this->IsFirst() ? alone->GetOutput() : vtkNew<vtkPolyData>().Get());
+  };
+  const auto first =
+    Alone<vtkGeodesicSampler>(this->Surface, [](auto* filter) { filter->SetNumberOfSamples(5); });
+  const auto sample = [&](auto* filter) {
+    filter->SetNumberOfSamples(20);
+    filter->SetStartData(first->GetOutput());
+  };
+  const auto samples = Alone<vtkGeodesicSampler>(this->Surface, sample);
+  const auto sampler = this->Together<vtkGeodesicSampler>(piece, sample);
+  expectSame(sampler.Get(), samples.Get());
+  EXPECT_EQ(
+    sampler->GetNumberOfGraphEdges(), this->IsFirst() ? samples->GetNumberOfGraphEdges() : 0);
+  const auto search = [](auto* filter) { filter->SetSourceIds({ 5 }); };
+  const auto probe = [](auto* filter) { filter->SetProbeData(MakeSources()); };
+  const auto distances = Alone<vtkDGGDistance>(this->Surface, search);
+  const auto distance = this->Together<vtkDGGDistance>(piece, search);
+  expectSame(this->Together<vtkGeodesicProbe>(distance->GetOutput(), probe).Get(),
+    Alone<vtkGeodesicProbe>(distances->GetOutput(), probe).Get());
+}

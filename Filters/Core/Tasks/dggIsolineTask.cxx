@@ -5,6 +5,7 @@
 #include "dggFieldReader.h"
 #include "dggOutput.h"
 #include "dggPreparedSurface.h"
+#include "dggProcessGroup.h"
 #include "dggProgressPart.h"
 #include "dggSurfaceOutput.h"
 #include "dggTaskContext.h"
@@ -31,6 +32,20 @@ constexpr double RadiansPerDegree = Pi / 180.0;
 
 /// Smallest ChordTolerance: time and memory grow without bound as the tolerance decreases.
 constexpr double SmallestChordTolerance = 1e-6;
+
+/// Distances and lines of a piece.
+struct LineSummary
+{
+  std::array<double, 2> Range;
+  bool HasLines;
+
+  void Add(const LineSummary& piece)
+  {
+    this->Range[0] = std::min(this->Range[0], piece.Range[0]);
+    this->Range[1] = std::max(this->Range[1], piece.Range[1]);
+    this->HasLines = this->HasLines || piece.HasLines;
+  }
+};
 
 /// Writes polylines with a cell array, which becomes the active scalars.
 void WriteLines(const TaskContext& context, const std::vector<SurfacePath>& lines,
@@ -242,6 +257,16 @@ std::string DescribeMissingLines(
     ? std::string()
     : JoinText("There are no isolines: the distances of the points are from ", smallest, " to ",
         largest, ", and none of the values yields a line");
+}
+
+//------------------------------------------------------------------------------
+Status DescribeMissingLines(ProcessGroup& group, const IsolineTaskOptions& options,
+  const std::array<double, 2>& range, bool hasLines, std::string& warning)
+{
+  LineSummary all{ range, hasLines };
+  DGG_RETURN_IF_ERROR(group.Sum(all));
+  warning = group.Here == 0 ? DescribeMissingLines(options, all.Range, all.HasLines) : "";
+  return Status::Success();
 }
 
 //------------------------------------------------------------------------------

@@ -18,6 +18,7 @@
 namespace dgg
 {
 class FieldReader;
+class ProcessGroup;
 struct Output;
 struct TaskContext;
 
@@ -58,6 +59,10 @@ DGG_CORE_EXPORT std::string DescribeRidges(
 DGG_CORE_EXPORT std::string DescribeMissingLines(
   const IsolineTaskOptions& options, const std::array<double, 2>& range, bool hasLines);
 ///@}
+/// Describes the lines of all processes on the first one; elsewhere the warning is empty. Must be
+/// called by all processes, with the range and lines of each.
+DGG_CORE_EXPORT Status DescribeMissingLines(ProcessGroup& group, const IsolineTaskOptions& options,
+  const std::array<double, 2>& range, bool hasLines, std::string& warning);
 
 /// Writes lines with the cell array `IsoValue`; ridges with the cell array `RidgeAngle`, degrees;
 /// bands with the point arrays `distances` and `vtkOriginalPointIds` and the cell arrays `Band`,

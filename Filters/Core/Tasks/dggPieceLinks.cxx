@@ -58,13 +58,9 @@ Status PieceLinks::MakeMesh(ProcessGroup& group)
 Status PieceLinks::Find(ProcessGroup& group, const SourceCollection& sources, double tolerance,
   double accuracy, std::vector<PieceSeed>& seeds)
 {
-  std::vector<PieceLocator::Located> located;
+  PiecePoints located;
   DGG_RETURN_IF_ERROR(this->Locator.Locate(group, sources, tolerance, located));
-  std::vector<std::size_t> here; // positions that are linked by this process
-  for (const PieceLocator::Located& point : located)
-  {
-    here.push_back(point.Position);
-  }
+  std::vector<std::size_t> here = located.Indices; // positions without links
   std::vector<PositionLink> links;
   for (;;)
   {

@@ -55,17 +55,17 @@ Status PieceLocator::Prepare(ProcessGroup& group, const SurfaceMesh& mesh, const
   return Status::Success();
 }
 
-Status PieceLocator::Locate(ProcessGroup& group, const SourceCollection& sources, double tolerance,
-  std::vector<Located>& here) const
+Status PieceLocator::Locate(
+  ProcessGroup& group, const SourceCollection& sources, double tolerance, PiecePoints& here) const
 {
   const std::size_t count = sources.GetNumberOfPositions();
   std::vector<Candidate> candidates(count);
-  std::vector<SurfacePoint> points(count);
+  std::vector<SurfacePoint> closest(count);
   for (std::size_t i = 0; i < count && this->ClosestPoints; ++i)
   {
     double distance = Infinity;
-    this->ClosestPoints->FindClosestPoint(sources.GetPosition(i).data(), points[i], distance);
-    const Offset cell = (*this->CellIds)[GetFirstFace(*this->Mesh, points[i])];
+    this->ClosestPoints->FindClosestPoint(sources.GetPosition(i).data(), closest[i], distance);
+    const Offset cell = (*this->CellIds)[GetFirstFace(*this->Mesh, closest[i])];
     if (cell != NoId)
     {
       candidates[i] = { distance, cell };
@@ -84,7 +84,7 @@ Status PieceLocator::Locate(ProcessGroup& group, const SourceCollection& sources
     {
       continue;
     }
-    here.push_back({ i, points[i] });
+    here.Add(i, closest[i]);
     const double distance = (*best)[i].Distance;
     const bool isClose =
       this->ClosestPoints && this->ClosestPoints->IsClose({}, distance, tolerance * diagonal);

@@ -17,30 +17,36 @@ namespace dgg
 {
 struct SourceCollection;
 
+/// Surface points of this process out of those of all processes.
+struct PiecePoints
+{
+  std::vector<std::size_t> Indices; ///< among the points of all processes
+  std::vector<SurfacePoint> Points;
+
+  void Add(std::size_t index, const SurfacePoint& point)
+  {
+    this->Indices.push_back(index);
+    this->Points.push_back(point);
+  }
+};
+
 /// Finds the points of a surface that are closest to positions, as one process does. Each process
 /// has the mesh of its piece with all cells around those of the piece. Functions with a group must
 /// be called by all processes.
 class DGG_CORE_EXPORT PieceLocator
 {
 public:
-  /// A position, by its index, whose closest point is in a cell of this process.
-  struct Located
-  {
-    std::size_t Position;
-    SurfacePoint Point;
-  };
-
   /// Prepares searches. `mesh`, `positions` (x y z per vertex) and `cellIds` (per face, the global
   /// id of a cell of the piece, or NoId) must outlive this object.
   Status Prepare(ProcessGroup& group, const SurfaceMesh& mesh, const double* positions,
     const std::vector<Offset>& cellIds);
 
   /// Finds the positions of a collection, which is the same on all processes, whose closest points
-  /// are in cells of this process. Of several closest cells, the one with the smallest id counts.
-  /// Fails under the conditions of SourceCollection::Locate(). The arrays of the collection that
-  /// identify points are not used.
+  /// are in cells of this process, and adds these points to those here. Of several closest
+  /// cells, the one with the smallest id counts. Fails under the conditions of
+  /// SourceCollection::Locate(). The arrays of the collection that identify points are not used.
   Status Locate(ProcessGroup& group, const SourceCollection& sources, double tolerance,
-    std::vector<Located>& here) const;
+    PiecePoints& here) const;
 
   /// Returns the closest point of the mesh, which must have a face.
   SurfacePoint FindClosestPoint(const std::array<double, 3>& position) const;

@@ -105,7 +105,7 @@ Status FindPieceSamples(const TaskContext& context, ProcessGroup& group,
   sampling.CoveringRadius = options.CoveringRadius;
   sampling.Progress = context.Progress;
   std::vector<std::vector<GraphSeed>> given(start.GetNumberOfPositions());
-  std::vector<PieceLocator::Located> here; // samples of this process
+  PiecePoints here; // samples of this process
   if (start.IsConnected)
   {
     std::vector<PieceSeed> seeds;
@@ -129,11 +129,7 @@ Status FindPieceSamples(const TaskContext& context, ProcessGroup& group,
   DGG_RETURN_IF_ERROR(SampleVertices(points, given, sampling, samples));
   for (std::size_t i = given.size(); i < samples.size(); ++i)
   {
-    const Id v = surface.FindVertex(samples[i].Point.Vertex, group.Here);
-    if (v != NoId)
-    {
-      here.push_back({ i, SurfacePoint::AtVertex(v) });
-    }
+    surface.AddVertex(samples[i].Point.Vertex, i, group.Here, here);
   }
   DGG_RETURN_IF_ERROR(surface.WritePoints(context, group, here, output));
   if (group.Here == 0)

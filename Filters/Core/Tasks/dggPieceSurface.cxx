@@ -206,8 +206,8 @@ Status PieceSurface::Extend(ProcessGroup& group, int components, std::vector<dou
   return Status::Success();
 }
 
-Status PieceSurface::Locate(ProcessGroup& group, const SourceCollection& sources, double tolerance,
-  std::vector<PieceLocator::Located>& here) const
+Status PieceSurface::Locate(
+  ProcessGroup& group, const SourceCollection& sources, double tolerance, PiecePoints& here) const
 {
   std::vector<Offset> cells; // of the piece
   for (std::size_t f = 0; f < this->IsGhost.size(); ++f)
@@ -221,34 +221,29 @@ Status PieceSurface::Locate(ProcessGroup& group, const SourceCollection& sources
   return locator.Locate(group, sources, tolerance, here);
 }
 
-Id PieceSurface::FindVertex(Offset point, int process) const
+void PieceSurface::AddVertex(Offset point, std::size_t index, int process, PiecePoints& here) const
 {
   const std::vector<Id>& points = this->Polygons.Points;
   const Offset id = this->FirstPoint + point;
   const auto found = std::lower_bound(points.begin(), points.end(), id,
     [this](Id p, Offset wanted) { return this->Region.GetPointId(p) < wanted; });
-  const bool isHere = found != points.end() && this->Region.GetPointId(*found) == id &&
-    this->Region.GetOwner(*found) == process;
-  return isHere ? static_cast<Id>(found - points.begin()) : NoId;
+  if (found != points.end() && this->Region.GetPointId(*found) == id &&
+    this->Region.GetOwner(*found) == process)
+  {
+    here.Add(index, SurfacePoint::AtVertex(static_cast<Id>(found - points.begin())));
+  }
 }
 
-Status PieceSurface::WritePoints(const TaskContext& context, ProcessGroup& group,
-  const std::vector<PieceLocator::Located>& here, Output& output) const
+Status PieceSurface::WritePoints(
+  const TaskContext& context, ProcessGroup& group, const PiecePoints& here, Output& output) const
 {
-  std::vector<SurfacePoint> points;
-  std::vector<std::size_t> order;
-  for (const PieceLocator::Located& located : here)
-  {
-    points.push_back(located.Point);
-    order.push_back(located.Position);
-  }
-  WriteSurfacePoints(this->MakeContext(context), points, output);
+  WriteSurfacePoints(this->MakeContext(context), here.Points, output);
   this->Renumber(output);
-  DGG_RETURN_IF_ERROR(group.Gather(order, 3, output.Points));
+  DGG_RETURN_IF_ERROR(group.Gather(here.Indices, 3, output.Points));
   for (OutputArray& array : output.PointData)
   {
     DGG_RETURN_IF_ERROR(std::visit(
-      [&](auto& values) { return group.Gather(order, array.NumberOfComponents, values); },
+      [&](auto& values) { return group.Gather(here.Indices, array.NumberOfComponents, values); },
       array.Values));
   }
   WriteVerts(output.Points.Size() / 3, output);

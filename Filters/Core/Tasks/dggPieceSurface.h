@@ -49,14 +49,14 @@ public:
   Status Extend(ProcessGroup& group, int components, std::vector<double>& values) const;
   /// Locates positions: see PieceLocator::Locate().
   Status Locate(ProcessGroup& group, const SourceCollection& sources, double tolerance,
-    std::vector<PieceLocator::Located>& here) const;
-  /// Returns the vertex at a point of the entire surface, given by its number, if the point belongs
-  /// to this process; otherwise NoId.
-  Id FindVertex(Offset point, int process) const;
+    PiecePoints& here) const;
+  /// Adds a point of the entire surface, given by its number, if the point belongs to this
+  /// process.
+  void AddVertex(Offset point, std::size_t index, int process, PiecePoints& here) const;
   /// Writes the points of all processes to the output of the first one, like WriteSurfacePoints()
-  /// on the entire surface. Point i of the output is the one with position i.
-  Status WritePoints(const TaskContext& context, ProcessGroup& group,
-    const std::vector<PieceLocator::Located>& here, Output& output) const;
+  /// on the entire surface.
+  Status WritePoints(
+    const TaskContext& context, ProcessGroup& group, const PiecePoints& here, Output& output) const;
   /// Replaces the points and cells in the arrays `vtkOriginalPointIds` and `FaceId` of an output by
   /// their numbers on the entire surface.
   void Renumber(Output& output) const;

@@ -29,23 +29,19 @@ Status FindPieceLabels(const TaskContext& context, ProcessGroup& group, const Pi
     return Status::Success();
   }
   labels.PointScalars = voronoi.SourceName;
-  std::vector<PieceLocator::Located> here;
+  PiecePoints here; // sites of this process
   if (collection.GetNumberOfPositions() > 0)
   {
     DGG_RETURN_IF_ERROR(surface.Locate(group, collection, options.Tolerance, here));
   }
   const std::size_t ids = collection.Ids.size();
-  for (PieceLocator::Located& site : here)
+  for (std::size_t& site : here.Indices)
   {
-    site.Position += ids;
+    site += ids;
   }
   for (std::size_t i = 0; i < ids; ++i)
   {
-    const Id v = surface.FindVertex(collection.Ids[i], group.Here);
-    if (v != NoId)
-    {
-      here.push_back({ i, SurfacePoint::AtVertex(v) });
-    }
+    surface.AddVertex(collection.Ids[i], i, group.Here, here);
   }
   DGG_RETURN_IF_ERROR(surface.WritePoints(context, group, here, sites));
   AddSiteIds(sites);
