@@ -14,8 +14,6 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
-#include <utility>
-
 vtkStandardNewMacro(vtkHarmonicBSpline);
 
 //------------------------------------------------------------------------------

@@ -9,9 +9,8 @@
 #include "dggGeodesicSource.h" // for GeodesicSource
 #include "dggVirtualSources.h" // for VirtualSources
 
-#include <cstddef> // for std::size_t
-#include <memory>  // for the prepared triangles
-#include <vector>  // for the results
+#include <memory> // for the prepared triangles
+#include <vector> // for the results
 
 namespace dgg
 {

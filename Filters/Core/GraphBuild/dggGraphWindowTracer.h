@@ -18,7 +18,6 @@
 
 #include <algorithm> // for std::min
 #include <array>     // for barycentric coordinates
-#include <cmath>     // for std::abs
 #include <cstddef>   // for std::size_t
 #include <limits>    // for the largest number
 #include <utility>   // for std::pair

@@ -23,7 +23,6 @@
 #include <cmath>
 #include <cstdlib>
 #include <mutex>
-#include <string>
 
 namespace dgg
 {

@@ -7,7 +7,6 @@
 #include "dggWorkspacePool.h"
 
 #include <algorithm>
-#include <string>
 #include <utility>
 
 namespace dgg

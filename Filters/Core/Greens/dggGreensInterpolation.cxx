@@ -7,7 +7,6 @@
 #include "dggProgressPart.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <map>
 #include <utility>

@@ -7,7 +7,6 @@
 #include "dggHeap.h"
 
 #include <algorithm>
-#include <string>
 
 namespace dgg
 {

@@ -5,7 +5,6 @@
 #include "dggStatus.h"
 
 #include <cmath>
-#include <string>
 
 namespace dgg
 {

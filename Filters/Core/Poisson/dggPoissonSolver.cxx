@@ -6,7 +6,6 @@
 #include "dggProgressPart.h"
 #include "dggThinTriangles.h"
 
-#include <algorithm>
 #include <cmath>
 #include <string>
 

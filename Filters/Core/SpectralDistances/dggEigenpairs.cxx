@@ -15,7 +15,6 @@
 #include <functional>
 #include <new>
 #include <numeric>
-#include <utility>
 
 namespace dgg
 {

@@ -10,11 +10,9 @@
 #include <Eigen/SparseCholesky> // for the factorization
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <string>
 
 namespace dgg
 {

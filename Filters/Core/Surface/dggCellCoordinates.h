@@ -9,8 +9,7 @@
 #include "dggPreparedSurface.h" // for SurfaceArrays
 #include "dggSurfacePoint.h"    // for SurfacePoint
 
-#include <array>  // for the coordinates
-#include <string> // for messages
+#include <array> // for the coordinates
 
 namespace dgg
 {

@@ -4,9 +4,6 @@
 #include "dggGroups.h"
 #include "dggProgressPart.h"
 
-#include <algorithm>
-#include <string>
-
 namespace dgg
 {
 LeftFaces::LeftFaces(const PathEdges& edges)

@@ -9,8 +9,7 @@
 #include "dggGeodesicGraph.h" // for GeodesicGraph
 #include "dggParallel.h"      // for ParallelFor
 
-#include <cstddef> // for std::size_t
-#include <vector>  // for row blocks
+#include <vector> // for row blocks
 
 namespace dgg
 {

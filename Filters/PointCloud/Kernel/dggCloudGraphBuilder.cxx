@@ -9,7 +9,6 @@
 #include "dggStatus.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace dgg
 {

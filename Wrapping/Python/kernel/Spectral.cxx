@@ -15,8 +15,6 @@
 #include "dggSpectralDistanceTask.h"
 #include "dggSplineTask.h"
 
-#include <cmath>
-
 namespace dggPython
 {
 namespace

@@ -9,8 +9,6 @@
 #include "dggStatus.h"
 #include "dggTaskContext.h"
 
-#include <algorithm>
-
 namespace dggPython
 {
 namespace

@@ -13,8 +13,6 @@
 #include "dggGraphicsTask.h"
 #include "dggOutput.h"
 
-#include <memory>
-
 namespace dggPython
 {
 namespace
