@@ -193,4 +193,11 @@ protected:
     return static_cast<vtkInternals&>(*this->Internals); \
   }
 
+/// Defines the getter of a result, which the private implementation of the filter holds.
+#define vtkDGGResultMacro(Class, Type, Name, value)       \
+  Type Class::Get##Name() const                           \
+  {                                                       \
+    return static_cast<Type>(this->GetInternals().value); \
+  }
+
 #endif

@@ -172,12 +172,7 @@ vtkMTimeType vtkApolloniusIsolines::GetMTime()
 }
 
 //------------------------------------------------------------------------------
-const char* vtkApolloniusIsolines::GetMethodAsString() const
-{
-  return this->Method == Apollonius ? "Apollonius"
-    : this->Method == Linear        ? "Linear"
-                                    : "LocalSources";
-}
+vtkDGGAsStringMacro(vtkApolloniusIsolines, Method, "LocalSources", "Apollonius", "Linear");
 
 //------------------------------------------------------------------------------
 dgg::Status vtkApolloniusIsolines::vtkInternals::CheckProperties() const

@@ -62,11 +62,7 @@ void vtkDGGDistance::PrintSelf(ostream& os, vtkIndent indent)
 }
 
 //------------------------------------------------------------------------------
-const char* vtkDGGDistance::GetSearchAsString() const
-{
-  static const char* const names[] = { "Certified", "LabelCorrecting", "Dijkstra" };
-  return names[this->Search];
-}
+vtkDGGAsStringMacro(vtkDGGDistance, Search, "Certified", "LabelCorrecting", "Dijkstra");
 
 //------------------------------------------------------------------------------
 std::vector<dgg::VertexArray> vtkDGGDistance::vtkInternals::DeclareArrays() const

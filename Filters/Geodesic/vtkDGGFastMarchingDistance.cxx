@@ -69,22 +69,11 @@ void vtkDGGFastMarchingDistance::PrintSelf(ostream& os, vtkIndent indent)
 }
 
 //------------------------------------------------------------------------------
-const char* vtkDGGFastMarchingDistance::GetFrontShapeAsString() const
-{
-  return this->FrontShape == Planar ? "Planar" : "Spherical";
-}
+vtkDGGAsStringMacro(vtkDGGFastMarchingDistance, FrontShape, "Spherical", "Planar");
 
 //------------------------------------------------------------------------------
-double vtkDGGFastMarchingDistance::GetUsedBandRadius() const
-{
-  return this->GetInternals().UsedBandRadius;
-}
-
-//------------------------------------------------------------------------------
-int vtkDGGFastMarchingDistance::GetUsedResolution() const
-{
-  return this->GetInternals().UsedResolution;
-}
+vtkDGGResultMacro(vtkDGGFastMarchingDistance, double, UsedBandRadius, UsedBandRadius);
+vtkDGGResultMacro(vtkDGGFastMarchingDistance, int, UsedResolution, UsedResolution);
 
 //------------------------------------------------------------------------------
 bool vtkDGGFastMarchingDistance::vtkInternals::IsCloud(vtkPolyData* input) const

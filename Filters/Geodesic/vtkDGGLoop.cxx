@@ -66,11 +66,7 @@ void vtkDGGLoop::PrintSelf(ostream& os, vtkIndent indent)
 }
 
 //------------------------------------------------------------------------------
-const char* vtkDGGLoop::GetModeAsString() const
-{
-  static const char* const names[] = { "ThroughPoint", "AroundHandles", "Rope" };
-  return names[this->Mode];
-}
+vtkDGGAsStringMacro(vtkDGGLoop, Mode, "ThroughPoint", "AroundHandles", "Rope");
 
 //------------------------------------------------------------------------------
 void vtkDGGLoop::RemoveAllPoints()

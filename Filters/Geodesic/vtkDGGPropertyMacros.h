@@ -91,6 +91,14 @@
     return i >= 0 && i < this->GetNumberOf##name##Ids() ? this->name##Ids[i] : -1;               \
   }
 
+/// Defines the getter of the name of a property whose values are 0, 1, ...
+#define vtkDGGAsStringMacro(Class, Property, ...)       \
+  const char* Class::Get##Property##AsString() const    \
+  {                                                     \
+    static const char* const names[] = { __VA_ARGS__ }; \
+    return names[this->Property];                       \
+  }
+
 /// Declares Accuracy, AcceptCoarserGraph and values of the graph of the last update, which the
 /// filters document. vtkDGGGraphUserMacro() defines the functions.
 #define vtkDGGGraphPropertiesMacro()               \

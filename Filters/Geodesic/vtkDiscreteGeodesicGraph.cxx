@@ -102,11 +102,8 @@ void vtkDiscreteGeodesicGraph::PrintSelf(ostream& os, vtkIndent indent)
 }
 
 //------------------------------------------------------------------------------
-const char* vtkDiscreteGeodesicGraph::GetConstructionAsString() const
-{
-  static const char* const names[] = { "Guaranteed", "OneRelay", "Indirect", "SaddleVertexGraph" };
-  return names[this->Construction];
-}
+vtkDGGAsStringMacro(vtkDiscreteGeodesicGraph, Construction, "Guaranteed", "OneRelay", "Indirect",
+  "SaddleVertexGraph");
 
 //------------------------------------------------------------------------------
 vtkPolyData* vtkDiscreteGeodesicGraph::GetGraphLines()
@@ -153,22 +150,9 @@ void vtkDiscreteGeodesicGraph::ReleaseGraph()
 }
 
 //------------------------------------------------------------------------------
-vtkTypeUInt64 vtkDiscreteGeodesicGraph::GetEstimatedMemory() const
-{
-  return static_cast<vtkTypeUInt64>(this->GetInternals().Estimate.Memory);
-}
-
-//------------------------------------------------------------------------------
-vtkTypeUInt64 vtkDiscreteGeodesicGraph::GetEstimatedPeakMemory() const
-{
-  return static_cast<vtkTypeUInt64>(this->GetInternals().Estimate.Peak);
-}
-
-//------------------------------------------------------------------------------
-vtkIdType vtkDiscreteGeodesicGraph::GetNumberOfGraphEdges() const
-{
-  return this->GetInternals().Current.NumberOfEdges;
-}
+vtkDGGResultMacro(vtkDiscreteGeodesicGraph, vtkTypeUInt64, EstimatedMemory, Estimate.Memory);
+vtkDGGResultMacro(vtkDiscreteGeodesicGraph, vtkTypeUInt64, EstimatedPeakMemory, Estimate.Peak);
+vtkDGGResultMacro(vtkDiscreteGeodesicGraph, vtkIdType, NumberOfGraphEdges, Current.NumberOfEdges);
 
 //------------------------------------------------------------------------------
 double vtkDiscreteGeodesicGraph::GetMeanDegree() const
@@ -180,10 +164,7 @@ double vtkDiscreteGeodesicGraph::GetMeanDegree() const
 }
 
 //------------------------------------------------------------------------------
-vtkTypeUInt64 vtkDiscreteGeodesicGraph::GetMemorySize() const
-{
-  return this->GetInternals().Current.MemorySize;
-}
+vtkDGGResultMacro(vtkDiscreteGeodesicGraph, vtkTypeUInt64, MemorySize, Current.MemorySize);
 
 //------------------------------------------------------------------------------
 std::string vtkDiscreteGeodesicGraph::GetInputGraphDamage() const

@@ -59,23 +59,12 @@ void vtkHeatGeodesicDistance::PrintSelf(ostream& os, vtkIndent indent)
 }
 
 //------------------------------------------------------------------------------
-const char* vtkHeatGeodesicDistance::GetBoundaryAsString() const
-{
-  static const char* const names[] = { "Neumann", "Dirichlet", "Average" };
-  return names[this->Boundary];
-}
+vtkDGGAsStringMacro(vtkHeatGeodesicDistance, Boundary, "Neumann", "Dirichlet", "Average");
 
 //------------------------------------------------------------------------------
-vtkTypeUInt64 vtkHeatGeodesicDistance::GetMemorySize() const
-{
-  return static_cast<vtkTypeUInt64>(this->GetInternals().Session.GetMemorySize());
-}
-
-//------------------------------------------------------------------------------
-int vtkHeatGeodesicDistance::GetNumberOfFactorizations() const
-{
-  return this->GetInternals().Session.GetNumberOfFactorizations();
-}
+vtkDGGResultMacro(vtkHeatGeodesicDistance, vtkTypeUInt64, MemorySize, Session.GetMemorySize());
+vtkDGGResultMacro(
+  vtkHeatGeodesicDistance, int, NumberOfFactorizations, Session.GetNumberOfFactorizations());
 
 //------------------------------------------------------------------------------
 dgg::HeatOptions vtkHeatGeodesicDistance::vtkInternals::MakeOptions() const

@@ -51,11 +51,7 @@ void vtkVirtualSourceGeodesicDistance::PrintSelf(ostream& os, vtkIndent indent)
 }
 
 //------------------------------------------------------------------------------
-const char* vtkVirtualSourceGeodesicDistance::GetQualityAsString() const
-{
-  static const char* const names[] = { "Automatic", "Fast", "High" };
-  return names[this->Quality];
-}
+vtkDGGAsStringMacro(vtkVirtualSourceGeodesicDistance, Quality, "Automatic", "Fast", "High");
 
 //------------------------------------------------------------------------------
 dgg::Status vtkVirtualSourceGeodesicDistance::vtkInternals::ComputeDistances(

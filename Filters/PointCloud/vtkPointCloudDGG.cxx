@@ -62,11 +62,7 @@ vtkPointCloudDGG::vtkPointCloudDGG()
 }
 
 //------------------------------------------------------------------------------
-const char* vtkPointCloudDGG::GetSchemeAsString() const
-{
-  static const char* const names[] = { "A", "B", "C" };
-  return names[this->Scheme];
-}
+vtkDGGAsStringMacro(vtkPointCloudDGG, Scheme, "A", "B", "C");
 
 //------------------------------------------------------------------------------
 int vtkPointCloudDGG::RequestData(

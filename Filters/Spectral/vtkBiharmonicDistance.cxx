@@ -54,23 +54,11 @@ void vtkBiharmonicDistance::PrintSelf(ostream& os, vtkIndent indent)
 }
 
 //------------------------------------------------------------------------------
-const char* vtkBiharmonicDistance::GetKindAsString() const
-{
-  static const char* const names[] = { "Biharmonic", "CommuteTime", "Diffusion" };
-  return names[this->Kind];
-}
+vtkDGGAsStringMacro(vtkBiharmonicDistance, Kind, "Biharmonic", "CommuteTime", "Diffusion");
+vtkDGGAsStringMacro(vtkBiharmonicDistance, Method, "Spectrum", "Exact");
 
 //------------------------------------------------------------------------------
-const char* vtkBiharmonicDistance::GetMethodAsString() const
-{
-  return this->Method == Exact ? "Exact" : "Spectrum";
-}
-
-//------------------------------------------------------------------------------
-int vtkBiharmonicDistance::GetNumberOfSpectra() const
-{
-  return this->GetInternals().Task.GetNumberOfSpectra();
-}
+vtkDGGResultMacro(vtkBiharmonicDistance, int, NumberOfSpectra, Task.GetNumberOfSpectra());
 
 //------------------------------------------------------------------------------
 vtkTypeUInt64 vtkBiharmonicDistance::GetMemorySize() const

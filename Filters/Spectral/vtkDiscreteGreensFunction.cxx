@@ -65,30 +65,12 @@ const char* vtkDiscreteGreensFunction::GetOrderAsString() const
 }
 
 //------------------------------------------------------------------------------
-const char* vtkDiscreteGreensFunction::GetMethodAsString() const
-{
-  static const char* const names[] = { "SingularitySubtraction", "Localized", "Interpolated",
-    "Vertex" };
-  return names[this->Method];
-}
-
-//------------------------------------------------------------------------------
-const char* vtkDiscreteGreensFunction::GetSignConventionAsString() const
-{
-  return this->SignConvention == NegativeAtSource ? "NegativeAtSource" : "PositiveAtSource";
-}
-
-//------------------------------------------------------------------------------
-const char* vtkDiscreteGreensFunction::GetPoleValueAsString() const
-{
-  return this->PoleValue == InfiniteValue ? "Infinite" : "CellAverage";
-}
-
-//------------------------------------------------------------------------------
-const char* vtkDiscreteGreensFunction::GetWeightingAsString() const
-{
-  return this->Weighting == Uniform ? "Uniform" : "Area";
-}
+vtkDGGAsStringMacro(vtkDiscreteGreensFunction, Method, "SingularitySubtraction", "Localized",
+  "Interpolated", "Vertex");
+vtkDGGAsStringMacro(
+  vtkDiscreteGreensFunction, SignConvention, "PositiveAtSource", "NegativeAtSource");
+vtkDGGAsStringMacro(vtkDiscreteGreensFunction, PoleValue, "CellAverage", "Infinite");
+vtkDGGAsStringMacro(vtkDiscreteGreensFunction, Weighting, "Area", "Uniform");
 
 //------------------------------------------------------------------------------
 int vtkDiscreteGreensFunction::GetUsedMethod(vtkIdType source) const
@@ -109,10 +91,7 @@ bool vtkDiscreteGreensFunction::IsNearRidge(vtkIdType source) const
 }
 
 //------------------------------------------------------------------------------
-vtkIdType vtkDiscreteGreensFunction::GetNumberOfColumns() const
-{
-  return this->GetInternals().Task.GetNumberOfColumns();
-}
+vtkDGGResultMacro(vtkDiscreteGreensFunction, vtkIdType, NumberOfColumns, Task.GetNumberOfColumns());
 
 //------------------------------------------------------------------------------
 vtkTypeUInt64 vtkDiscreteGreensFunction::GetMemorySize() const

@@ -71,16 +71,10 @@ const char* vtkHarmonicBSpline::GetOrderAsString() const
 }
 
 //------------------------------------------------------------------------------
-const char* vtkHarmonicBSpline::GetRightHandSideMeaningAsString() const
-{
-  return this->RightHandSideMeaning == Integrated ? "Integrated" : "Density";
-}
+vtkDGGAsStringMacro(vtkHarmonicBSpline, RightHandSideMeaning, "Density", "Integrated");
 
 //------------------------------------------------------------------------------
-vtkIdType vtkHarmonicBSpline::GetNumberOfUsedSites() const
-{
-  return static_cast<vtkIdType>(this->GetInternals().Task.GetUsedSites().size());
-}
+vtkDGGResultMacro(vtkHarmonicBSpline, vtkIdType, NumberOfUsedSites, Task.GetUsedSites().size());
 
 //------------------------------------------------------------------------------
 vtkIdType vtkHarmonicBSpline::GetUsedSite(vtkIdType site) const

@@ -119,11 +119,8 @@ void vtkPoissonVectorGraphics::PrintSelf(ostream& os, vtkIndent indent)
 vtkDGGDefineInputMacro(vtkPoissonVectorGraphics, Curve, 1);
 
 //------------------------------------------------------------------------------
-const char* vtkPoissonVectorGraphics::GetRefinementRegionAsString() const
-{
-  static const char* const names[] = { "Everywhere", "NearCurves", "Cells" };
-  return names[this->RefinementRegion];
-}
+vtkDGGAsStringMacro(
+  vtkPoissonVectorGraphics, RefinementRegion, "Everywhere", "NearCurves", "Cells");
 
 //------------------------------------------------------------------------------
 vtkPolyData* vtkPoissonVectorGraphics::GetFragments()
@@ -132,16 +129,9 @@ vtkPolyData* vtkPoissonVectorGraphics::GetFragments()
 }
 
 //------------------------------------------------------------------------------
-int vtkPoissonVectorGraphics::GetNumberOfFactorizations() const
-{
-  return this->GetInternals().Task.GetNumberOfFactorizations();
-}
-
-//------------------------------------------------------------------------------
-vtkTypeUInt64 vtkPoissonVectorGraphics::GetMemorySize() const
-{
-  return static_cast<vtkTypeUInt64>(this->GetInternals().Task.GetEstimatedMemory());
-}
+vtkDGGResultMacro(
+  vtkPoissonVectorGraphics, int, NumberOfFactorizations, Task.GetNumberOfFactorizations());
+vtkDGGResultMacro(vtkPoissonVectorGraphics, vtkTypeUInt64, MemorySize, Task.GetEstimatedMemory());
 
 //------------------------------------------------------------------------------
 dgg::Status vtkPoissonVectorGraphics::vtkInternals::CheckProperties() const

@@ -84,10 +84,7 @@ vtkPolyData* vtkSpectralAlgorithm::GetEvaluation()
 }
 
 //------------------------------------------------------------------------------
-const char* vtkSpectralAlgorithm::GetBoundaryAsString() const
-{
-  return this->Boundary == vtkSpectralAlgorithm::Dirichlet ? "Dirichlet" : "Neumann";
-}
+vtkDGGAsStringMacro(vtkSpectralAlgorithm, Boundary, "Neumann", "Dirichlet");
 
 //------------------------------------------------------------------------------
 int vtkSpectralAlgorithm::GetNumberOfFactorizations() const

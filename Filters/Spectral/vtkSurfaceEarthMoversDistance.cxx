@@ -81,26 +81,17 @@ void vtkSurfaceEarthMoversDistance::PrintSelf(ostream& os, vtkIndent indent)
 }
 
 //------------------------------------------------------------------------------
-const char* vtkSurfaceEarthMoversDistance::GetArrayMeaningAsString() const
-{
-  return this->ArrayMeaning == Mass ? "Mass" : "Density";
-}
+vtkDGGAsStringMacro(vtkSurfaceEarthMoversDistance, ArrayMeaning, "Density", "Mass");
 
 //------------------------------------------------------------------------------
 vtkDGGDefineInputMacro(vtkSurfaceEarthMoversDistance, From, 1);
 vtkDGGDefineInputMacro(vtkSurfaceEarthMoversDistance, To, 2);
 
 //------------------------------------------------------------------------------
-int vtkSurfaceEarthMoversDistance::GetNumberOfFactorizations() const
-{
-  return this->GetInternals().Session.GetNumberOfFactorizations();
-}
-
-//------------------------------------------------------------------------------
-vtkTypeUInt64 vtkSurfaceEarthMoversDistance::GetMemorySize() const
-{
-  return this->GetInternals().Session.GetMemorySize();
-}
+vtkDGGResultMacro(
+  vtkSurfaceEarthMoversDistance, int, NumberOfFactorizations, Session.GetNumberOfFactorizations());
+vtkDGGResultMacro(
+  vtkSurfaceEarthMoversDistance, vtkTypeUInt64, MemorySize, Session.GetMemorySize());
 
 //------------------------------------------------------------------------------
 void vtkSurfaceEarthMoversDistance::vtkInternals::ForgetResults()

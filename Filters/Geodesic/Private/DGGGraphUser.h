@@ -142,22 +142,15 @@ public:
     return this->GetInternals().GraphUser.Get##Property();   \
   }
 
-/// Defines the getter of a number of the graph in use.
-#define vtkDGGGraphUserNumberMacro(Class, Type, Name, Number)        \
-  Type Class::Name() const                                           \
-  {                                                                  \
-    return static_cast<Type>(this->GetInternals().GraphUser.Number); \
-  }
-
 /// Defines the properties of a filter that searches a graph. The filter has to declare all of them.
-#define vtkDGGGraphUserMacro(Class)                                                                \
-  vtkDGGGraphUserSetMacro(Class, Accuracy, double);                                                \
-  vtkDGGGraphUserSetMacro(Class, AcceptCoarserGraph, bool);                                        \
-  vtkDGGGraphUserNumberMacro(Class, bool, GetUsedInputGraph, IsFromInput());                       \
-  vtkDGGGraphUserNumberMacro(Class, double, GetGraphAccuracy, GetSummary().Info.Accuracy);         \
-  vtkDGGGraphUserNumberMacro(Class, bool, GetGraphIsGuaranteed, IsGuaranteed());                   \
-  vtkDGGGraphUserNumberMacro(Class, vtkIdType, GetNumberOfGraphEdges, GetSummary().NumberOfEdges); \
-  vtkDGGGraphUserNumberMacro(Class, vtkTypeUInt64, GetMemorySize, GetMemorySize());                \
-  vtkDGGGraphUserNumberMacro(Class, vtkMTimeType, GetGraphBuildTime, GetBuildTime())
+#define vtkDGGGraphUserMacro(Class)                                                              \
+  vtkDGGGraphUserSetMacro(Class, Accuracy, double);                                              \
+  vtkDGGGraphUserSetMacro(Class, AcceptCoarserGraph, bool);                                      \
+  vtkDGGResultMacro(Class, bool, UsedInputGraph, GraphUser.IsFromInput());                       \
+  vtkDGGResultMacro(Class, double, GraphAccuracy, GraphUser.GetSummary().Info.Accuracy);         \
+  vtkDGGResultMacro(Class, bool, GraphIsGuaranteed, GraphUser.IsGuaranteed());                   \
+  vtkDGGResultMacro(Class, vtkIdType, NumberOfGraphEdges, GraphUser.GetSummary().NumberOfEdges); \
+  vtkDGGResultMacro(Class, vtkTypeUInt64, MemorySize, GraphUser.GetMemorySize());                \
+  vtkDGGResultMacro(Class, vtkMTimeType, GraphBuildTime, GraphUser.GetBuildTime())
 
 #endif

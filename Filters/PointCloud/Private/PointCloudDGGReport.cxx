@@ -5,25 +5,21 @@
 
 #include <cmath>
 
-/// Defines the getter of a number of the last update's graph.
-#define vtkPointCloudDGGNumberMacro(Type, Name, member)    \
-  Type vtkPointCloudDGG::Get##Name() const                 \
-  {                                                        \
-    return this->GetInternals().Current.Statistics.member; \
-  }
-vtkPointCloudDGGNumberMacro(vtkIdType, NumberOfUnusedPoints, UnusedPoints);
-vtkPointCloudDGGNumberMacro(vtkIdType, NumberOfOutliers, Outliers);
-vtkPointCloudDGGNumberMacro(vtkIdType, NumberOfCoincidentPoints, CoincidentPoints);
-vtkPointCloudDGGNumberMacro(double, UsedOffsetInVoxels, OffsetInVoxels);
-vtkPointCloudDGGNumberMacro(int, UsedResolution, Resolution);
-vtkPointCloudDGGNumberMacro(double, UsedAlpha, Alpha);
-vtkPointCloudDGGNumberMacro(double, VoxelSize, VoxelSize);
-vtkPointCloudDGGNumberMacro(double, Spacing, Spacing);
-vtkPointCloudDGGNumberMacro(double, Noise, Noise);
-vtkPointCloudDGGNumberMacro(double, OffSurfaceShare, OffSurface);
-vtkPointCloudDGGNumberMacro(double, NoiseByRadius, NoiseByRadius);
-vtkPointCloudDGGNumberMacro(double, Scatter, Scatter);
-vtkPointCloudDGGNumberMacro(double, Reach, Reach);
+vtkDGGResultMacro(
+  vtkPointCloudDGG, vtkIdType, NumberOfUnusedPoints, Current.Statistics.UnusedPoints);
+vtkDGGResultMacro(vtkPointCloudDGG, vtkIdType, NumberOfOutliers, Current.Statistics.Outliers);
+vtkDGGResultMacro(
+  vtkPointCloudDGG, vtkIdType, NumberOfCoincidentPoints, Current.Statistics.CoincidentPoints);
+vtkDGGResultMacro(vtkPointCloudDGG, double, UsedOffsetInVoxels, Current.Statistics.OffsetInVoxels);
+vtkDGGResultMacro(vtkPointCloudDGG, int, UsedResolution, Current.Statistics.Resolution);
+vtkDGGResultMacro(vtkPointCloudDGG, double, UsedAlpha, Current.Statistics.Alpha);
+vtkDGGResultMacro(vtkPointCloudDGG, double, VoxelSize, Current.Statistics.VoxelSize);
+vtkDGGResultMacro(vtkPointCloudDGG, double, Spacing, Current.Statistics.Spacing);
+vtkDGGResultMacro(vtkPointCloudDGG, double, Noise, Current.Statistics.Noise);
+vtkDGGResultMacro(vtkPointCloudDGG, double, OffSurfaceShare, Current.Statistics.OffSurface);
+vtkDGGResultMacro(vtkPointCloudDGG, double, NoiseByRadius, Current.Statistics.NoiseByRadius);
+vtkDGGResultMacro(vtkPointCloudDGG, double, Scatter, Current.Statistics.Scatter);
+vtkDGGResultMacro(vtkPointCloudDGG, double, Reach, Current.Statistics.Reach);
 
 //------------------------------------------------------------------------------
 void vtkPointCloudDGG::PrintSelf(ostream& os, vtkIndent indent)
@@ -65,10 +61,7 @@ void vtkPointCloudDGG::PrintSelf(ostream& os, vtkIndent indent)
 }
 
 //------------------------------------------------------------------------------
-vtkTypeUInt64 vtkPointCloudDGG::GetEstimatedMemory() const
-{
-  return static_cast<vtkTypeUInt64>(this->GetInternals().Estimate.Memory);
-}
+vtkDGGResultMacro(vtkPointCloudDGG, vtkTypeUInt64, EstimatedMemory, Estimate.Memory);
 
 //------------------------------------------------------------------------------
 vtkTypeUInt64 vtkPointCloudDGG::GetEstimatedPeakMemory() const
@@ -78,10 +71,7 @@ vtkTypeUInt64 vtkPointCloudDGG::GetEstimatedPeakMemory() const
 }
 
 //------------------------------------------------------------------------------
-vtkIdType vtkPointCloudDGG::GetNumberOfGraphEdges() const
-{
-  return this->GetInternals().Current.Graph.NumberOfEdges;
-}
+vtkDGGResultMacro(vtkPointCloudDGG, vtkIdType, NumberOfGraphEdges, Current.Graph.NumberOfEdges);
 
 //------------------------------------------------------------------------------
 double vtkPointCloudDGG::GetMeanDegree() const
@@ -93,16 +83,8 @@ double vtkPointCloudDGG::GetMeanDegree() const
 }
 
 //------------------------------------------------------------------------------
-vtkTypeUInt64 vtkPointCloudDGG::GetMemorySize() const
-{
-  return this->GetInternals().Current.Graph.MemorySize;
-}
-
-//------------------------------------------------------------------------------
-vtkIdType vtkPointCloudDGG::GetNumberOfComponents() const
-{
-  return static_cast<vtkIdType>(this->GetInternals().Current.ComponentSizes.size());
-}
+vtkDGGResultMacro(vtkPointCloudDGG, vtkTypeUInt64, MemorySize, Current.Graph.MemorySize);
+vtkDGGResultMacro(vtkPointCloudDGG, vtkIdType, NumberOfComponents, Current.ComponentSizes.size());
 
 //------------------------------------------------------------------------------
 vtkIdType vtkPointCloudDGG::GetComponentSize(vtkIdType i) const
@@ -119,7 +101,4 @@ double vtkPointCloudDGG::GetUsedOffset() const
 }
 
 //------------------------------------------------------------------------------
-vtkMTimeType vtkPointCloudDGG::GetGraphBuildTime() const
-{
-  return this->GetInternals().BuildTime.GetMTime();
-}
+vtkDGGResultMacro(vtkPointCloudDGG, vtkMTimeType, GraphBuildTime, BuildTime.GetMTime());
