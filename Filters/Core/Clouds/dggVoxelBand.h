@@ -52,7 +52,6 @@ public:
   bool IsTooLarge() const { return this->TooLarge; }
 
   double GetVoxelSize() const { return this->VoxelSize; }
-  const Point3& GetOrigin() const { return this->Origin; }
   /// Returns the number of voxels along the longest side of the bounding box of the band.
   std::int32_t GetResolution() const { return this->Resolution; }
   std::size_t GetNumberOfBricks() const { return this->Keys.size(); }

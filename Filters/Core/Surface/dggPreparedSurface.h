@@ -126,8 +126,6 @@ public:
   /// Returns the faces in a cell of the input; none for an excluded cell.
   std::vector<Id> GetFaces(Offset cell) const;
 
-  /// Returns the number of polygons excluded because fewer than three of their points are distinct.
-  Offset GetNumberOfDroppedCells() const { return this->NumberOfDroppedCells; }
   /// Returns the largest height of excluded triangles without area, model units.
   double GetLargestCapHeight() const { return this->Caps.LargestHeight; }
   /// Returns the number of points that share the vertex of an earlier point.
@@ -136,11 +134,6 @@ public:
   Offset GetNumberOfIsolatedPoints() const
   {
     return this->GetReport().IsolatedVertices - this->NumberOfMergedPoints;
-  }
-  /// Returns the number of boundary points with exactly the coordinates of another boundary point.
-  Offset GetNumberOfCoincidentBoundaryPoints() const
-  {
-    return this->NumberOfCoincidentBoundaryPoints;
   }
   /// Returns the warnings about the mesh, one topic each.
   const std::vector<std::string>& GetWarnings() const { return this->Warnings; }
