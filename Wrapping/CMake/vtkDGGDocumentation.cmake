@@ -24,25 +24,8 @@ list(APPEND doc_inputs
   Examples/README.md
   Examples/Solved.md
   Examples/Tutorial.md
-  Filters/Geodesic/Curves.md
-  Filters/Geodesic/Distances.md
-  Filters/Geodesic/Input.md
-  Filters/Geodesic/Processes.md
-  Filters/Glossary.md
-  Filters/Parallel/README.md
-  Filters/Parallel/Scale.md
-  Testing/README.md
-  Testing/Benchmark/Differences.md
-  Testing/Benchmark/README.md
-  Testing/Benchmark/Thesis.md
-  Wrapping/ParaView/README.md
-  Wrapping/Python/Demo.md
-  Wrapping/Python/Files.md
-  Wrapping/Python/Packages.md
-  Wrapping/Python/PyVista.md
-  Wrapping/Python/README.md
-  Wrapping/Python/Shell.md
-  Wrapping/README.md)
+  ${dgg_pages})
+list(REMOVE_DUPLICATES doc_inputs)
 
 set(DOXYGEN_USE_MDFILE_AS_MAINPAGE "${CMAKE_CURRENT_SOURCE_DIR}/README.md")
 set(DOXYGEN_IMAGE_PATH Examples/Images Testing/Baseline Testing/Benchmark/Images)

@@ -159,17 +159,7 @@ python3 (<< 3.${dgg_next}), python3-numpy, python3-vtk9")
   set(CPACK_DEBIAN_TOOLS_PACKAGE_RECOMMENDS "xvfb, xauth") # to draw without a display
   # The pages and their pictures.
   set(dgg_documentation "${CMAKE_INSTALL_DATADIR}/doc/vtkdgg-tools")
-  foreach (dgg_page IN ITEMS README.md CHANGELOG.md CITATION.cff LICENSE
-      Filters/Glossary.md Filters/Geodesic/README.md Filters/Geodesic/Curves.md
-      Filters/Geodesic/Distances.md Filters/Geodesic/Input.md Filters/Geodesic/Processes.md
-      Filters/Parallel/README.md Filters/Parallel/Scale.md Filters/PointCloud/README.md
-      Filters/Spectral/README.md
-      Readers/README.md
-      Wrapping/README.md Wrapping/ParaView/README.md Wrapping/Python/README.md
-      Wrapping/Python/Demo.md Wrapping/Python/Files.md Wrapping/Python/Packages.md
-      Wrapping/Python/PyVista.md Wrapping/Python/Shell.md
-      Testing/README.md Testing/Benchmark/README.md Testing/Benchmark/Differences.md
-      Testing/Benchmark/Thesis.md)
+  foreach (dgg_page IN ITEMS README.md CHANGELOG.md CITATION.cff LICENSE ${dgg_pages})
     get_filename_component(dgg_page_folder "${dgg_page}" DIRECTORY)
     install(FILES "${PROJECT_SOURCE_DIR}/${dgg_page}"
       DESTINATION "${dgg_documentation}/${dgg_page_folder}"
