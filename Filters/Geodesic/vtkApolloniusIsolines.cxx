@@ -20,7 +20,6 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
-#include <limits>
 #include <string>
 #include <vector>
 
@@ -68,18 +67,6 @@ private:
 
 //------------------------------------------------------------------------------
 vtkApolloniusIsolines::vtkApolloniusIsolines()
-  : Method(LocalSources)
-  , ChordTolerance(1e-3)
-  , GenerateRidges(false)
-  , GenerateBands(false)
-  , MinimumRidgeAngle(20.0)
-  , SteinerPoints(2)
-  , DistanceArrayName("GeodesicDistance")
-  , VirtualSourceArrayName("GeodesicVirtualSource")
-  , UnreachedValue(std::numeric_limits<double>::quiet_NaN())
-  , UsedWindows(false)
-  , UsedVirtualSources(false)
-  , NumberOfFallbacks(0)
 {
   this->Internals.reset(new vtkInternals(this));
   this->SetNumberOfOutputPorts(3);

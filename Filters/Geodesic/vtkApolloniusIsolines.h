@@ -41,6 +41,7 @@
 
 #include "vtkNew.h" // For the values
 
+#include <limits> // For UnreachedValue
 #include <string> // For array names
 
 class vtkContourValues;
@@ -219,18 +220,18 @@ private:
   class vtkInternals;
 
   vtkNew<vtkContourValues> ContourValues;
-  int Method;
-  double ChordTolerance;
-  bool GenerateRidges;
-  bool GenerateBands;
-  double MinimumRidgeAngle;
-  int SteinerPoints;
-  std::string DistanceArrayName;
-  std::string VirtualSourceArrayName;
-  double UnreachedValue;
-  bool UsedWindows;
-  bool UsedVirtualSources;
-  vtkIdType NumberOfFallbacks;
+  int Method = LocalSources;
+  double ChordTolerance = 1e-3;
+  bool GenerateRidges = false;
+  bool GenerateBands = false;
+  double MinimumRidgeAngle = 20.0;
+  int SteinerPoints = 2;
+  std::string DistanceArrayName = "GeodesicDistance";
+  std::string VirtualSourceArrayName = "GeodesicVirtualSource";
+  double UnreachedValue = std::numeric_limits<double>::quiet_NaN();
+  bool UsedWindows = false;
+  bool UsedVirtualSources = false;
+  vtkIdType NumberOfFallbacks = 0;
 };
 
 #endif

@@ -42,10 +42,6 @@ vtkDGGGraphUserMacro(vtkDGGDistance);
 
 //------------------------------------------------------------------------------
 vtkDGGDistance::vtkDGGDistance()
-  : Correction(true)
-  , Search(Certified)
-  , GenerateUpperBound(false)
-  , UpperBoundArrayName("GeodesicUpperBound")
 {
   this->Internals.reset(new vtkInternals(this));
 }

@@ -134,10 +134,10 @@ private:
   class vtkInternals;
   vtkInternals& GetInternals() const;
 
-  bool Correction;
-  int Search;
-  bool GenerateUpperBound;
-  std::string UpperBoundArrayName;
+  bool Correction = true;
+  int Search = Certified;
+  bool GenerateUpperBound = false;
+  std::string UpperBoundArrayName = "GeodesicUpperBound";
 };
 
 #endif

@@ -48,10 +48,6 @@ vtkDGGInternalsMacro(vtkDGGFastMarchingDistance);
 
 //------------------------------------------------------------------------------
 vtkDGGFastMarchingDistance::vtkDGGFastMarchingDistance()
-  : FrontShape(Spherical)
-  , BandRadius(0.0)
-  , Resolution(0)
-  , QualityWarning(false)
 {
   this->Internals.reset(new vtkInternals(this));
 }

@@ -109,10 +109,10 @@ private:
   class vtkInternals;
   vtkInternals& GetInternals() const;
 
-  int FrontShape;
-  double BandRadius;
-  int Resolution;
-  bool QualityWarning;
+  int FrontShape = Spherical;
+  double BandRadius = 0.0;
+  int Resolution = 0;
+  bool QualityWarning = false;
 };
 
 #endif

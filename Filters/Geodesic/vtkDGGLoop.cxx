@@ -43,10 +43,6 @@ vtkDGGGraphUserMacro(vtkDGGLoop);
 
 //------------------------------------------------------------------------------
 vtkDGGLoop::vtkDGGLoop()
-  : Mode(ThroughPoint)
-  , Taut(false)
-  , TapeWidth(0.0)
-  , ProjectionTolerance(0.01)
 {
   this->Internals.reset(new vtkInternals(this));
   this->SetNumberOfInputPorts(2);

@@ -153,11 +153,11 @@ private:
   class vtkInternals;
   vtkInternals& GetInternals() const;
 
-  int Mode;
+  int Mode = ThroughPoint;
   std::vector<vtkIdType> PointIds;
-  bool Taut;
-  double TapeWidth;
-  double ProjectionTolerance;
+  bool Taut = false;
+  double TapeWidth = 0.0;
+  double ProjectionTolerance = 0.01;
 };
 
 #endif

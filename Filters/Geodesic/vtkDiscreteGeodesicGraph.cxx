@@ -75,10 +75,6 @@ vtkDGGInternalsMacro(vtkDiscreteGeodesicGraph);
 
 //------------------------------------------------------------------------------
 vtkDiscreteGeodesicGraph::vtkDiscreteGeodesicGraph()
-  : Accuracy(0.01)
-  , Construction(Guaranteed)
-  , NumberOfNeighbors(30)
-  , GenerateGraphLines(false)
 {
   this->Internals.reset(new vtkInternals(this));
   this->SetNumberOfOutputPorts(2);

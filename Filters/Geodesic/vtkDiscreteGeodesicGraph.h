@@ -163,10 +163,10 @@ private:
   class vtkInternals;
   vtkInternals& GetInternals() const;
 
-  double Accuracy;
-  int Construction;
-  int NumberOfNeighbors;
-  bool GenerateGraphLines;
+  double Accuracy = 0.01;
+  int Construction = Guaranteed;
+  int NumberOfNeighbors = 30;
+  bool GenerateGraphLines = false;
 };
 
 #endif

@@ -23,8 +23,6 @@ public:
 
 //------------------------------------------------------------------------------
 vtkExactGeodesicDistance::vtkExactGeodesicDistance()
-  : Engine(Triangle)
-  , GenerateWindows(false)
 {
   this->Internals.reset(new vtkInternals(this));
 }

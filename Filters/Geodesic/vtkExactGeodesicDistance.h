@@ -82,8 +82,8 @@ private:
 
   class vtkInternals;
 
-  int Engine;
-  bool GenerateWindows;
+  int Engine = Triangle;
+  bool GenerateWindows = false;
 };
 
 #endif

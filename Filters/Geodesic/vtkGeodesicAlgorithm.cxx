@@ -23,12 +23,6 @@
 
 //------------------------------------------------------------------------------
 vtkGeodesicAlgorithm::vtkGeodesicAlgorithm()
-  : MemoryLimit(0)
-  , MergeCoincidentPoints(false)
-  , MergeTolerance(0.0)
-  , OutputPointsPrecision(DOUBLE_PRECISION)
-  , Controller(nullptr)
-  , GatherLimit(100000000)
 {
   this->SetController(vtkMultiProcessController::GetGlobalController());
 }

@@ -176,7 +176,7 @@ protected:
    */
   std::unique_ptr<DGGFilterInternals> Internals;
 
-  vtkTypeInt64 MemoryLimit; ///< signed, since ParaView has no unsigned 64-bit properties
+  vtkTypeInt64 MemoryLimit = 0; ///< signed, since ParaView has no unsigned 64-bit properties
 
 private:
   vtkGeodesicAlgorithm(const vtkGeodesicAlgorithm&) = delete;
@@ -185,11 +185,11 @@ private:
   friend class DGGFilterInternals;
   void MakeSurfaceOutput(vtkDataObject* input, vtkInformation* outInfo) const;
 
-  bool MergeCoincidentPoints;
-  double MergeTolerance;
-  int OutputPointsPrecision;
-  vtkMultiProcessController* Controller;
-  vtkIdType GatherLimit;
+  bool MergeCoincidentPoints = false;
+  double MergeTolerance = 0.0;
+  int OutputPointsPrecision = DOUBLE_PRECISION;
+  vtkMultiProcessController* Controller = nullptr;
+  vtkIdType GatherLimit = 100000000;
 };
 
 #endif

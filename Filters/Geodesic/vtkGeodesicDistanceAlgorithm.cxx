@@ -14,7 +14,6 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
-#include <limits>
 #include <string>
 #include <vector>
 
@@ -22,16 +21,6 @@ vtkDGGDefineInputMacro(vtkGeodesicDistanceAlgorithm, Source, 1);
 
 //------------------------------------------------------------------------------
 vtkGeodesicDistanceAlgorithm::vtkGeodesicDistanceAlgorithm()
-  : ProjectionTolerance(0.01)
-  , MaximumDistance(VTK_DOUBLE_MAX)
-  , UnreachedValue(std::numeric_limits<double>::quiet_NaN())
-  , GenerateNearestSource(false)
-  , PassSourceArrays(false)
-  , GenerateVirtualSource(false)
-  , DistanceArrayName("GeodesicDistance")
-  , SourceArrayName("GeodesicSource")
-  , VirtualSourceArrayName("GeodesicVirtualSource")
-  , InitialDistanceArrayName("InitialDistance")
 {
   this->SetNumberOfInputPorts(2);
 }

@@ -37,6 +37,7 @@
 #include "vtkGeodesicAlgorithm.h"
 
 #include <initializer_list> // For source ids
+#include <limits>           // For UnreachedValue
 #include <string>           // For array names
 #include <vector>           // For source ids
 
@@ -201,16 +202,16 @@ private:
 
   std::vector<vtkIdType> SourceIds;
   std::vector<double> SourceOffsets; // initial distances, one for each id
-  double ProjectionTolerance;
-  double MaximumDistance;
-  double UnreachedValue;
-  bool GenerateNearestSource;
-  bool PassSourceArrays;
-  bool GenerateVirtualSource;
-  std::string DistanceArrayName;
-  std::string SourceArrayName;
-  std::string VirtualSourceArrayName;
-  std::string InitialDistanceArrayName;
+  double ProjectionTolerance = 0.01;
+  double MaximumDistance = VTK_DOUBLE_MAX;
+  double UnreachedValue = std::numeric_limits<double>::quiet_NaN();
+  bool GenerateNearestSource = false;
+  bool PassSourceArrays = false;
+  bool GenerateVirtualSource = false;
+  std::string DistanceArrayName = "GeodesicDistance";
+  std::string SourceArrayName = "GeodesicSource";
+  std::string VirtualSourceArrayName = "GeodesicVirtualSource";
+  std::string InitialDistanceArrayName = "InitialDistance";
 };
 
 #endif

@@ -22,7 +22,6 @@
 #include "vtkTable.h"
 #include "vtkTypeInt64Array.h"
 
-#include <limits>
 #include <string>
 #include <utility>
 
@@ -107,12 +106,6 @@ vtkDGGGraphUserMacro(vtkGeodesicDistanceMatrix);
 
 //------------------------------------------------------------------------------
 vtkGeodesicDistanceMatrix::vtkGeodesicDistanceMatrix()
-  : ProjectionTolerance(0.01)
-  , MaximumDistance(VTK_DOUBLE_MAX)
-  , UnreachedValue(std::numeric_limits<double>::quiet_NaN())
-  , GenerateTable(true)
-  , CompressedRows(false)
-  , Correction(false)
 {
   this->Internals.reset(new vtkInternals(this));
   this->SetNumberOfInputPorts(3);

@@ -41,6 +41,7 @@
 #include "vtkDGGFiltersGeodesicModule.h" // For export macro
 #include "vtkGeodesicAlgorithm.h"
 
+#include <limits> // For UnreachedValue
 #include <vector> // For ids
 
 class vtkDoubleArray;
@@ -179,12 +180,12 @@ private:
 
   std::vector<vtkIdType> RowIds;
   std::vector<vtkIdType> ColumnIds;
-  double ProjectionTolerance;
-  double MaximumDistance;
-  double UnreachedValue;
-  bool GenerateTable;
-  bool CompressedRows;
-  bool Correction;
+  double ProjectionTolerance = 0.01;
+  double MaximumDistance = VTK_DOUBLE_MAX;
+  double UnreachedValue = std::numeric_limits<double>::quiet_NaN();
+  bool GenerateTable = true;
+  bool CompressedRows = false;
+  bool Correction = false;
 };
 
 #endif

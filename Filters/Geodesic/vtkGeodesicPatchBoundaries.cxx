@@ -58,7 +58,6 @@ private:
 
 //------------------------------------------------------------------------------
 vtkGeodesicPatchBoundaries::vtkGeodesicPatchBoundaries()
-  : ProjectionTolerance(0.01)
 {
   this->Internals.reset(new vtkInternals(this));
   this->SetNumberOfInputPorts(5);

@@ -123,7 +123,7 @@ private:
 
   std::vector<vtkIdType> FirstLandmarkIds;
   std::vector<vtkIdType> SecondLandmarkIds;
-  double ProjectionTolerance;
+  double ProjectionTolerance = 0.01;
 };
 
 #endif

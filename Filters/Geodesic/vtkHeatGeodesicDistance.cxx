@@ -38,10 +38,6 @@ vtkDGGInternalsMacro(vtkHeatGeodesicDistance);
 
 //------------------------------------------------------------------------------
 vtkHeatGeodesicDistance::vtkHeatGeodesicDistance()
-  : TimeStepFactor(1.0)
-  , IntrinsicDelaunay(true)
-  , Boundary(Neumann)
-  , QualityWarning(false)
 {
   this->Internals.reset(new vtkInternals(this));
 }

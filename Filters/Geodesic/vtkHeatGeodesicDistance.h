@@ -116,10 +116,10 @@ private:
   class vtkInternals;
   vtkInternals& GetInternals() const;
 
-  double TimeStepFactor;
-  bool IntrinsicDelaunay;
-  int Boundary;
-  bool QualityWarning;
+  double TimeStepFactor = 1.0;
+  bool IntrinsicDelaunay = true;
+  int Boundary = Neumann;
+  bool QualityWarning = false;
 };
 
 #endif

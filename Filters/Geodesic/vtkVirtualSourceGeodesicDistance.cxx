@@ -36,8 +36,6 @@ private:
 
 //------------------------------------------------------------------------------
 vtkVirtualSourceGeodesicDistance::vtkVirtualSourceGeodesicDistance()
-  : Quality(Automatic)
-  , QualityWarning(false)
 {
   this->Internals.reset(new vtkInternals(this));
 }

@@ -88,8 +88,8 @@ private:
 
   class vtkInternals;
 
-  int Quality;
-  bool QualityWarning;
+  int Quality = Automatic;
+  bool QualityWarning = false;
 };
 
 #endif

@@ -45,18 +45,7 @@ vtkDGGInternalsMacro(vtkPointCloudDGG);
 
 //------------------------------------------------------------------------------
 vtkPointCloudDGG::vtkPointCloudDGG()
-  : Scheme(C)
-  , OffsetInVoxels(0.0)
-  , Resolution(0)
-  , Alpha(0.0)
-  , Accuracy(dgg::CloudGraphOptions().Accuracy)
-  , ArcLengthWeights(true)
-  , UseInputNormals(true)
-  , OrientedNormals(false)
-  , EstimateNormals(false)
-  , GenerateVertices(false)
-  , NumberOfNeighbors(16)
-  , ComponentArrayName("Component")
+  : Accuracy(dgg::CloudGraphOptions().Accuracy)
 {
   this->Internals.reset(new vtkInternals(this));
 }

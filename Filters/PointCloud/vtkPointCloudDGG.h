@@ -295,18 +295,18 @@ private:
   class vtkInternals;
   vtkInternals& GetInternals() const;
 
-  int Scheme;
-  double OffsetInVoxels;
-  int Resolution;
-  double Alpha;
+  int Scheme = C;
+  double OffsetInVoxels = 0.0;
+  int Resolution = 0;
+  double Alpha = 0.0;
   double Accuracy;
-  bool ArcLengthWeights;
-  bool UseInputNormals;
-  bool OrientedNormals;
-  bool EstimateNormals;
-  bool GenerateVertices;
-  int NumberOfNeighbors;
-  std::string ComponentArrayName;
+  bool ArcLengthWeights = true;
+  bool UseInputNormals = true;
+  bool OrientedNormals = false;
+  bool EstimateNormals = false;
+  bool GenerateVertices = false;
+  int NumberOfNeighbors = 16;
+  std::string ComponentArrayName = "Component";
 };
 
 #endif

@@ -10,7 +10,6 @@
 #include "vtkObjectFactory.h"
 
 #include <cmath>
-#include <limits>
 
 vtkStandardNewMacro(vtkBiharmonicDistance);
 
@@ -32,11 +31,6 @@ vtkDGGInternalsMacro(vtkBiharmonicDistance);
 //------------------------------------------------------------------------------
 vtkBiharmonicDistance::vtkBiharmonicDistance()
   : vtkSpectralAlgorithm("BiharmonicDistance")
-  , Kind(Biharmonic)
-  , Method(Spectrum)
-  , NumberOfEigenvalues(150)
-  , DiffusionTime(0.0)
-  , UnreachedValue(std::numeric_limits<double>::quiet_NaN())
 {
   this->Internals.reset(new vtkInternals(this));
 }

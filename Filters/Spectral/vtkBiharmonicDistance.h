@@ -38,6 +38,8 @@
 #include "vtkDGGFiltersSpectralModule.h" // For export macro
 #include "vtkSpectralAlgorithm.h"
 
+#include <limits> // For UnreachedValue
+
 class VTKDGGFILTERSSPECTRAL_EXPORT vtkBiharmonicDistance : public vtkSpectralAlgorithm
 {
 public:
@@ -134,11 +136,11 @@ private:
   class vtkInternals;
   vtkInternals& GetInternals() const;
 
-  int Kind;
-  int Method;
-  int NumberOfEigenvalues;
-  double DiffusionTime;
-  double UnreachedValue;
+  int Kind = Biharmonic;
+  int Method = Spectrum;
+  int NumberOfEigenvalues = 150;
+  double DiffusionTime = 0.0;
+  double UnreachedValue = std::numeric_limits<double>::quiet_NaN();
 };
 
 #endif

@@ -32,13 +32,6 @@ vtkDGGInternalsMacro(vtkDiscreteGreensFunction);
 //------------------------------------------------------------------------------
 vtkDiscreteGreensFunction::vtkDiscreteGreensFunction()
   : vtkSpectralAlgorithm("GreensFunction")
-  , Order(Laplace)
-  , Method(SingularitySubtraction)
-  , SignConvention(PositiveAtSource)
-  , PoleValue(CellAverage)
-  , Weighting(Area)
-  , Radius(0.0)
-  , InterpolateRegularPart(false)
 {
   this->Internals.reset(new vtkInternals(this));
 }

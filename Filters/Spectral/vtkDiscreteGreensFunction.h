@@ -214,13 +214,13 @@ private:
   class vtkInternals;
   vtkInternals& GetInternals() const;
 
-  int Order;
-  int Method;
-  int SignConvention;
-  int PoleValue;
-  int Weighting;
-  double Radius;
-  bool InterpolateRegularPart;
+  int Order = Laplace;
+  int Method = SingularitySubtraction;
+  int SignConvention = PositiveAtSource;
+  int PoleValue = CellAverage;
+  int Weighting = Area;
+  double Radius = 0.0;
+  bool InterpolateRegularPart = false;
 };
 
 #endif

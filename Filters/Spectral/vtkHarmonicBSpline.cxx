@@ -35,14 +35,6 @@ vtkDGGInternalsMacro(vtkHarmonicBSpline);
 //------------------------------------------------------------------------------
 vtkHarmonicBSpline::vtkHarmonicBSpline()
   : vtkSpectralAlgorithm("HarmonicBSpline")
-  , Order(Harmonic)
-  , NumberOfSites(20)
-  , RightHandSideMeaning(Density)
-  , CellArrayName("Cell")
-  , SolutionArrayName("PoissonSolution")
-  , InterpolationArrayName("Interpolation")
-  , GenerateBasis(true)
-  , SmoothEvaluation(false)
 {
   this->Internals.reset(new vtkInternals(this));
 }

@@ -199,16 +199,16 @@ private:
   class vtkInternals;
   vtkInternals& GetInternals() const;
 
-  int Order;
-  int NumberOfSites;
+  int Order = Harmonic;
+  int NumberOfSites = 20;
   std::string RightHandSideArrayName;
-  int RightHandSideMeaning;
-  std::string CellArrayName;
-  std::string SolutionArrayName;
+  int RightHandSideMeaning = Density;
+  std::string CellArrayName = "Cell";
+  std::string SolutionArrayName = "PoissonSolution";
   std::string SiteValuesArrayName;
-  std::string InterpolationArrayName;
-  bool GenerateBasis;
-  bool SmoothEvaluation;
+  std::string InterpolationArrayName = "Interpolation";
+  bool GenerateBasis = true;
+  bool SmoothEvaluation = false;
 };
 
 #endif

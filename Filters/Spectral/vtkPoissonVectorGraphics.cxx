@@ -65,23 +65,6 @@ vtkDGGInternalsMacro(vtkPoissonVectorGraphics);
 
 //------------------------------------------------------------------------------
 vtkPoissonVectorGraphics::vtkPoissonVectorGraphics()
-  : CurveTypeArrayName("CurveType")
-  , LeftColorArrayName("LeftColor")
-  , RightColorArrayName("RightColor")
-  , StrengthArrayName("Strength")
-  , RightStrengthArrayName("RightStrength")
-  , WidthArrayName("Width")
-  , RegionStrengthArrayName("RegionStrength")
-  , RefinementArrayName("Refine")
-  , Width(0.0)
-  , BackgroundColor{ 0.0, 0.0, 0.0 }
-  , RefinementLevel(1)
-  , RefinementRegion(Everywhere)
-  , ProjectionTolerance(0.01)
-  , IntrinsicDelaunay(true)
-  , GenerateFragments(false)
-  , FragmentDivision(1)
-  , ResultArrayName("Colors")
 {
   this->Internals.reset(new vtkInternals(this));
   this->SetNumberOfInputPorts(2);

@@ -238,24 +238,24 @@ private:
   class vtkInternals;
   vtkInternals& GetInternals() const;
 
-  std::string CurveTypeArrayName;
-  std::string LeftColorArrayName;
-  std::string RightColorArrayName;
-  std::string StrengthArrayName;
-  std::string RightStrengthArrayName;
-  std::string WidthArrayName;
+  std::string CurveTypeArrayName = "CurveType";
+  std::string LeftColorArrayName = "LeftColor";
+  std::string RightColorArrayName = "RightColor";
+  std::string StrengthArrayName = "Strength";
+  std::string RightStrengthArrayName = "RightStrength";
+  std::string WidthArrayName = "Width";
   std::string RegionArrayName;
-  std::string RegionStrengthArrayName;
-  std::string RefinementArrayName;
-  double Width;
-  double BackgroundColor[3];
-  int RefinementLevel;
-  int RefinementRegion;
-  double ProjectionTolerance;
-  bool IntrinsicDelaunay;
-  bool GenerateFragments;
-  int FragmentDivision;
-  std::string ResultArrayName;
+  std::string RegionStrengthArrayName = "RegionStrength";
+  std::string RefinementArrayName = "Refine";
+  double Width = 0.0;
+  double BackgroundColor[3] = { 0.0, 0.0, 0.0 };
+  int RefinementLevel = 1;
+  int RefinementRegion = Everywhere;
+  double ProjectionTolerance = 0.01;
+  bool IntrinsicDelaunay = true;
+  bool GenerateFragments = false;
+  int FragmentDivision = 1;
+  std::string ResultArrayName = "Colors";
 };
 
 #endif

@@ -44,10 +44,7 @@ void FillOutputs(dgg::Output* outputs, vtkPolyData* surface, vtkPolyData* places
 
 //------------------------------------------------------------------------------
 vtkSpectralAlgorithm::vtkSpectralAlgorithm(const std::string& resultArrayName)
-  : ProjectionTolerance(0.01)
-  , Boundary(Neumann)
-  , IntrinsicDelaunay(false)
-  , ResultArrayName(resultArrayName)
+  : ResultArrayName(resultArrayName)
 {
   this->SetNumberOfInputPorts(3);
   this->SetNumberOfOutputPorts(2);

@@ -161,9 +161,9 @@ private:
   friend class DGGSpectralInternals;
 
   std::vector<vtkIdType> SourceIds;
-  double ProjectionTolerance;
-  int Boundary;
-  bool IntrinsicDelaunay;
+  double ProjectionTolerance = 0.01;
+  int Boundary = Neumann;
+  bool IntrinsicDelaunay = false;
   std::string ResultArrayName;
 };
 

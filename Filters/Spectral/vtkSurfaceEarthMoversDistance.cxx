@@ -47,12 +47,6 @@ vtkDGGInternalsMacro(vtkSurfaceEarthMoversDistance);
 
 //------------------------------------------------------------------------------
 vtkSurfaceEarthMoversDistance::vtkSurfaceEarthMoversDistance()
-  : ArrayMeaning(Density)
-  , Normalize(true)
-  , MaximumNumberOfIterations(200)
-  , Tolerance(1e-2)
-  , ProjectionTolerance(0.01)
-  , IntrinsicDelaunay(false)
 {
   this->Internals.reset(new vtkInternals(this));
   this->SetNumberOfInputPorts(3);

@@ -188,12 +188,12 @@ private:
   std::string FromArrayName;
   std::string ToArrayName;
   std::string MassArrayName;
-  int ArrayMeaning;
-  bool Normalize;
-  int MaximumNumberOfIterations;
-  double Tolerance;
-  double ProjectionTolerance;
-  bool IntrinsicDelaunay;
+  int ArrayMeaning = Density;
+  bool Normalize = true;
+  int MaximumNumberOfIterations = 200;
+  double Tolerance = 1e-2;
+  double ProjectionTolerance = 0.01;
+  bool IntrinsicDelaunay = false;
   double Distance;
   double LowerBound;
   double Gap;
