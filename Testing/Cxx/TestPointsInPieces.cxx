@@ -209,45 +209,60 @@ INSTANTIATE_TEST_SUITE_P(Divisions, PointsInPieces, testing::ValuesIn(divisions)
   [](const auto& tested) { return tested.param.Name; });
 
 //------------------------------------------------------------------------------
-/// An abort of one process ends the update of all, after which samples are those of one process.
-/// Samples in faces are gathered.
-TEST_F(PieceGraph, SamplesAfterAbortsAndInFaces)
+/// An abort or a failure of one process ends the update of all, and the next update gives the
+/// points of a single process.
+TEST_F(PieceGraph, PointsAfterFailures)
 {
-  const auto prepare = [](auto* filter) {
+  const bool isLast = this->Here == this->Count - 1;
+  const auto expectPoints = [&](auto* filter, auto* expected) {
+    this->Update(filter);
+    ExpectSamePoints(
+      filter->GetOutput(), this->IsFirst() ? expected->GetOutput() : vtkNew<vtkPolyData>().Get());
+  };
+  const auto expectRecovery = [&](auto* filter, auto* expected) {
+    ProgressWatch watch(filter);
+    for (const double stopAt : { 0.2, 0.5 })
+    {
+      watch.StopAt = isLast ? stopAt : 2.0;
+      filter->Modified();
+      this->Update(filter);
+      EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0) << stopAt;
+      watch.StopAt = 2.0;
+      expectPoints(filter, expected);
+    }
+    const Listener listener(filter);
+    filter->SetMemoryLimit(isLast ? 1 : 0);
+    filter->Modified();
+    this->Update(filter);
+    EXPECT_EQ(listener.Errors.size(), 1u);
+    filter->SetMemoryLimit(0);
+    filter->Modified();
+    expectPoints(filter, expected);
+  };
+  const auto piece = this->TakeStrip(this->Surface, PartIds::Global);
+  const auto sample = [](auto* filter) {
     filter->SetAccuracy(0.05);
     filter->SetNumberOfSamples(30);
   };
-  const auto alone = Alone<vtkGeodesicSampler>(this->Surface, prepare);
-  vtkNew<vtkGeodesicSampler> sampler;
-  sampler->SetInputData(this->TakeStrip(this->Surface, PartIds::Global));
-  prepare(sampler.Get());
-  const auto expectSamples = [&](vtkGeodesicSampler* expected) {
-    this->Update(sampler);
-    ExpectSamePoints(
-      sampler->GetOutput(), this->IsFirst() ? expected->GetOutput() : vtkNew<vtkPolyData>().Get());
+  const auto samples = Alone<vtkGeodesicSampler>(this->Surface, sample);
+  const auto sampler = this->Together<vtkGeodesicSampler>(piece, sample);
+  expectRecovery(sampler.Get(), samples.Get());
+  EXPECT_EQ(this->Sum(sampler->GetNumberOfGraphEdges()), samples->GetNumberOfGraphEdges());
+  const auto search = [](auto* filter) {
+    filter->SetAccuracy(0.05);
+    filter->SetSourceIds({ 5 });
+    filter->GenerateVirtualSourceOn();
   };
-  ProgressWatch watch(sampler);
-  for (const double stopAt : { 0.3, 0.6, 0.9 })
-  {
-    watch.StopAt = this->Here == this->Count - 1 ? stopAt : 2.0;
-    sampler->Modified();
-    this->Update(sampler);
-    EXPECT_EQ(sampler->GetOutput()->GetNumberOfPoints(), 0) << stopAt;
-    watch.StopAt = 2.0;
-    expectSamples(alone);
-    EXPECT_EQ(this->Sum(sampler->GetNumberOfGraphEdges()), alone->GetNumberOfGraphEdges());
-  }
-  sampler->InFacesOn();
-  const auto inFaces = Alone<vtkGeodesicSampler>(this->Surface, [&](auto* filter) {
-    prepare(filter);
-    filter->InFacesOn();
-  });
-  expectSamples(inFaces);
-  EXPECT_EQ(sampler->GetNumberOfGraphEdges(), this->IsFirst() ? alone->GetNumberOfGraphEdges() : 0);
+  const auto probe = [&](auto* filter) { filter->SetProbeData(MakePointsOfCells(this->Surface)); };
+  const auto distances = Alone<vtkDGGDistance>(this->Surface, search);
+  const auto distance = this->Together<vtkDGGDistance>(piece, search);
+  expectRecovery(this->Together<vtkGeodesicProbe>(distance->GetOutput(), probe).Get(),
+    Alone<vtkGeodesicProbe>(distances->GetOutput(), probe).Get());
 }
 
 //------------------------------------------------------------------------------
-/// Surfaces are gathered if points name cells, or if distances have no virtual sources.
+/// Surfaces are gathered if samples may be in faces, if points name cells, or if distances have no
+/// virtual sources.
 TEST_F(PieceGraph, PointsThatAreGathered)
 {
   const auto piece = this->TakeStrip(this->Surface, PartIds::Global);
@@ -257,15 +272,19 @@ TEST_F(PieceGraph, PointsThatAreGathered)
   };
   const auto first =
     Alone<vtkGeodesicSampler>(this->Surface, [](auto* filter) { filter->SetNumberOfSamples(5); });
-  const auto sample = [&](auto* filter) {
-    filter->SetNumberOfSamples(20);
-    filter->SetStartData(first->GetOutput());
-  };
-  const auto samples = Alone<vtkGeodesicSampler>(this->Surface, sample);
-  const auto sampler = this->Together<vtkGeodesicSampler>(piece, sample);
-  expectSame(sampler.Get(), samples.Get());
-  EXPECT_EQ(
-    sampler->GetNumberOfGraphEdges(), this->IsFirst() ? samples->GetNumberOfGraphEdges() : 0);
+  for (const bool inFaces : { false, true })
+  {
+    const auto sample = [&](auto* filter) {
+      filter->SetNumberOfSamples(20);
+      filter->SetInFaces(inFaces);
+      filter->SetStartData(inFaces ? nullptr : first->GetOutput());
+    };
+    const auto samples = Alone<vtkGeodesicSampler>(this->Surface, sample);
+    const auto sampler = this->Together<vtkGeodesicSampler>(piece, sample);
+    expectSame(sampler.Get(), samples.Get());
+    EXPECT_EQ(
+      sampler->GetNumberOfGraphEdges(), this->IsFirst() ? samples->GetNumberOfGraphEdges() : 0);
+  }
   const auto search = [](auto* filter) { filter->SetSourceIds({ 5 }); };
   const auto probe = [](auto* filter) { filter->SetProbeData(MakeSources()); };
   const auto distances = Alone<vtkDGGDistance>(this->Surface, search);
