@@ -23,7 +23,6 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
-#include <limits>
 #include <string>
 
 vtkStandardNewMacro(vtkGeodesicProbe);
@@ -64,10 +63,6 @@ private:
 
 //------------------------------------------------------------------------------
 vtkGeodesicProbe::vtkGeodesicProbe()
-  : DistanceArrayName("GeodesicDistance")
-  , VirtualSourceArrayName("GeodesicVirtualSource")
-  , UnreachedValue(std::numeric_limits<double>::quiet_NaN())
-  , ProjectionTolerance(0.01)
 {
   this->Internals.reset(new vtkInternals(this));
   this->SetNumberOfInputPorts(2);

@@ -41,6 +41,7 @@
 #include "vtkDGGFiltersGeodesicModule.h" // For export macro
 #include "vtkGeodesicAlgorithm.h"
 
+#include <limits> // For UnreachedValue
 #include <string> // For array names
 
 class VTKDGGFILTERSGEODESIC_EXPORT vtkGeodesicProbe : public vtkGeodesicAlgorithm
@@ -104,10 +105,10 @@ private:
 
   class vtkInternals;
 
-  std::string DistanceArrayName;
-  std::string VirtualSourceArrayName;
-  double UnreachedValue;
-  double ProjectionTolerance;
+  std::string DistanceArrayName = "GeodesicDistance";
+  std::string VirtualSourceArrayName = "GeodesicVirtualSource";
+  double UnreachedValue = std::numeric_limits<double>::quiet_NaN();
+  double ProjectionTolerance = 0.01;
 };
 
 #endif

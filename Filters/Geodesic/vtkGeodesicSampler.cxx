@@ -61,11 +61,6 @@ vtkDGGGraphUserMacro(vtkGeodesicSampler);
 
 //------------------------------------------------------------------------------
 vtkGeodesicSampler::vtkGeodesicSampler()
-  : NumberOfSamples(100)
-  , FirstSample(-1)
-  , CoveringRadius(0.0)
-  , InFaces(false)
-  , ProjectionTolerance(0.01)
 {
   this->Internals.reset(new vtkInternals(this));
   this->SetNumberOfInputPorts(2);

@@ -122,11 +122,11 @@ private:
   class vtkInternals;
   vtkInternals& GetInternals() const;
 
-  vtkIdType NumberOfSamples;
-  vtkIdType FirstSample;
-  double CoveringRadius;
-  bool InFaces;
-  double ProjectionTolerance;
+  vtkIdType NumberOfSamples = 100;
+  vtkIdType FirstSample = -1;
+  double CoveringRadius = 0.0;
+  bool InFaces = false;
+  double ProjectionTolerance = 0.01;
 };
 
 #endif

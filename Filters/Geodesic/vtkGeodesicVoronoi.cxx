@@ -25,7 +25,6 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
-#include <limits>
 #include <numeric>
 #include <string>
 #include <utility>
@@ -74,17 +73,6 @@ vtkDGGGraphUserMacro(vtkGeodesicVoronoi);
 
 //------------------------------------------------------------------------------
 vtkGeodesicVoronoi::vtkGeodesicVoronoi()
-  : Centroidal(false)
-  , NumberOfIterations(20)
-  , Tolerance(1e-3)
-  , GenerateCells(true)
-  , Preview(false)
-  , RefineBoundaries(true)
-  , PassSiteArrays(false)
-  , UnreachedValue(std::numeric_limits<double>::quiet_NaN())
-  , DistanceArrayName("GeodesicDistance")
-  , SourceArrayName("GeodesicSource")
-  , ProjectionTolerance(0.01)
 {
   this->Internals.reset(new vtkInternals(this));
   this->SetNumberOfInputPorts(2);

@@ -41,6 +41,7 @@
 #include "vtkDGGFiltersGeodesicModule.h" // For export macro
 #include "vtkGeodesicAlgorithm.h"
 
+#include <limits> // For UnreachedValue
 #include <string> // For array names
 #include <vector> // For site ids
 
@@ -219,17 +220,17 @@ private:
   vtkInternals& GetInternals() const;
 
   std::vector<vtkIdType> SiteIds;
-  bool Centroidal;
-  int NumberOfIterations;
-  double Tolerance;
-  bool GenerateCells;
-  bool Preview;
-  bool RefineBoundaries;
-  bool PassSiteArrays;
-  double UnreachedValue;
-  std::string DistanceArrayName;
-  std::string SourceArrayName;
-  double ProjectionTolerance;
+  bool Centroidal = false;
+  int NumberOfIterations = 20;
+  double Tolerance = 1e-3;
+  bool GenerateCells = true;
+  bool Preview = false;
+  bool RefineBoundaries = true;
+  bool PassSiteArrays = false;
+  double UnreachedValue = std::numeric_limits<double>::quiet_NaN();
+  std::string DistanceArrayName = "GeodesicDistance";
+  std::string SourceArrayName = "GeodesicSource";
+  double ProjectionTolerance = 0.01;
 };
 
 #endif
