@@ -9,7 +9,6 @@
 
 #include "dggOutput.h"
 #include "dggPieceSamples.h"
-#include "dggPieceSurface.h"
 #include "dggPreparedSurface.h"
 #include "dggPropertyChecks.h"
 #include "dggProcessGroup.h"
@@ -133,15 +132,10 @@ dgg::Status vtkGeodesicSampler::vtkInternals::ExecutePiece(
   DGG_RETURN_IF_ERROR(group.TakeFromFirst(options));
   DGG_RETURN_IF_ERROR(
     DGGCollectFromAll(update, this->GetStart(update.Inputs), start, points, isDone));
-  dgg::PieceSurface surface;
-  if (isDone)
-  {
-    DGG_RETURN_IF_ERROR(surface.Prepare(group, update.Piece, isDone));
-  }
   if (isDone)
   {
     DGG_RETURN_IF_ERROR(this->Searches.Prepare(
-      context, update, { start.IsConnected }, this->GraphUser, this->Self, isDone));
+      context, update, { start.IsConnected, false, true }, this->GraphUser, this->Self, isDone));
   }
   isDone = isDone && this->Searches.GetSearch().GetNumberOfPoints() <= VTK_INT_MAX;
   if (!isDone)
@@ -149,8 +143,9 @@ dgg::Status vtkGeodesicSampler::vtkInternals::ExecutePiece(
     return dgg::Status::Success();
   }
   dgg::Output output;
-  DGG_RETURN_IF_ERROR(dgg::FindPieceSamples(context, group, surface, this->Searches.GetSearch(),
-    this->Searches.GetLinks(), this->Searches.GetAccuracy(), start, options, output));
+  DGG_RETURN_IF_ERROR(
+    dgg::FindPieceSamples(context, group, *this->Searches.GetSurface(), this->Searches.GetSearch(),
+      this->Searches.GetLinks(), this->Searches.GetAccuracy(), start, options, output));
   this->Searches.Keep(this->GraphUser, this->Self);
   return group.Here == 0 ? this->FillOutput(context, output, update.Outputs)
                          : dgg::Status::Success();
