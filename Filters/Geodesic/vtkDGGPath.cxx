@@ -3,14 +3,19 @@
 #include "vtkDGGPath.h"
 
 #include "DGGGraphUser.h"
+#include "DGGPieceSearches.h"
 #include "DGGProperties.h"
 #include "DGGSources.h"
 #include "DGGSurfaceArrays.h"
 
 #include "dggOutput.h"
 #include "dggPathSearch.h"
+#include "dggPiecePaths.h"
+#include "dggPieceSurface.h"
 #include "dggPreparedSurface.h"
+#include "dggProcessGroup.h"
 #include "dggPropertyChecks.h"
+#include "dggSourceCollection.h"
 #include "dggStatus.h"
 
 #include "vtkCellArray.h"
@@ -63,11 +68,17 @@ public:
   void ForgetResults() override { this->Self->NumberOfFallbacks = 0; }
   dgg::Status Execute(const DGGContext& context, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
+  bool CanDistribute() const override { return this->Self->Method == Graph; }
+  dgg::Status ExecutePiece(
+    const DGGContext& context, const DGGPieceUpdate& update, bool& isDone) override;
   void MakeEmptyOutput(const DGGContext& context, vtkInformationVector* outputVector) override;
   std::string GetMemoryRemedy() const override
   {
     return "Use a smaller mesh, a larger {Accuracy} or fewer pairs at a time";
   }
+
+private:
+  DGGPieceSearches Searches;
 };
 
 vtkDGGInternalsMacro(vtkDGGPath);
@@ -197,6 +208,62 @@ dgg::Status vtkDGGPath::vtkInternals::Execute(
   DGGPassLineArrays(lines, written, this->Self->GetNumberOfPairs(),
     vtkPolyData::GetData(outputVector)->GetCellData());
   return dgg::Status::Success();
+}
+
+//------------------------------------------------------------------------------
+dgg::Status vtkDGGPath::vtkInternals::ExecutePiece(
+  const DGGContext& context, const DGGPieceUpdate& update, bool& isDone)
+{
+  dgg::ProcessGroup& group = update.Group;
+  dgg::SourceCollection ends;
+  vtkSmartPointer<vtkPolyData> lines;
+  DGGSourceSet set{ this->Self->PairIds, nullptr, 1, "path end", "", "" };
+  set.ArePairs = true;
+  DGG_RETURN_IF_ERROR(DGGCollectFromAll(update, set, ends, lines, isDone));
+  isDone = isDone && !lines && !ends.Ids.empty();
+  DGG_RETURN_IF_ERROR(group.Require(isDone));
+  if (!isDone)
+  {
+    return dgg::Status::Success();
+  }
+  struct
+  {
+    bool Straighten;
+    double Detour;
+  } first{ this->Self->Straighten, this->Self->Detour };
+  DGG_RETURN_IF_ERROR(group.TakeFromFirst(first));
+  dgg::PathOptions options;
+  options.Straighten = first.Straighten;
+  options.Detour = first.Detour;
+  DGG_RETURN_IF_ERROR(
+    this->Searches.Prepare(context, update, {}, this->GraphUser, this->Self, isDone));
+  dgg::PieceSurface surface;
+  if (isDone)
+  {
+    DGG_RETURN_IF_ERROR(surface.PrepareToGather(group, update.Piece, isDone));
+  }
+  dgg::PathSearch::Paths paths;
+  if (isDone)
+  {
+    DGG_RETURN_IF_ERROR(dgg::FindPiecePaths(context, group, update.Piece,
+      this->Searches.GetSearch(), surface, ends, options, paths, isDone));
+  }
+  if (!isDone)
+  {
+    return dgg::Status::Success();
+  }
+  this->Searches.Keep(this->GraphUser, this->Self);
+  vtkPolyData::GetData(update.Outputs)->Initialize();
+  if (group.Here != 0)
+  {
+    return dgg::Status::Success();
+  }
+  this->Self->NumberOfFallbacks = dgg::CountFallbacks(paths);
+  const DGGContext onSurface{ surface.MakeContext(context), context.Input };
+  dgg::Output output;
+  dgg::WritePaths(onSurface, paths, output);
+  surface.Renumber(output);
+  return this->FillOutput(onSurface, output, update.Outputs);
 }
 
 //------------------------------------------------------------------------------

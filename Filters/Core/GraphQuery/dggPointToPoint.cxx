@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace dgg
 {
@@ -40,8 +41,10 @@ void PointToPoint::Run(const GraphView& graph, const PathGuides& guides,
   this->Guides = guides;
   this->Aim(to);
   this->Start(from);
-  WithLengths(graph, [&](const auto* lengths) { this->Search(graph, lengths); });
-  this->CollectPath(path);
+  WithLengths(graph, [&](const auto* lengths) {
+    this->Search(graph, lengths);
+    this->CollectPath(graph, lengths, from, path);
+  });
 }
 
 void PointToPoint::Forget()
@@ -305,7 +308,37 @@ void PointToPoint::PrefetchGuides(Id v) const
   }
 }
 
-void PointToPoint::CollectPath(GraphPath& path) const
+template <typename Length>
+Offset PointToPoint::FindEdgeTo(const GraphView& graph, const Length* lengths, Id v, Id& tail) const
+{
+  const auto isOver = [&](Id t, Offset e) {
+    return this->Distances[t] < this->Distances[v] &&
+      this->Distances[t] + lengths[e] == this->Distances[v];
+  };
+  Offset edge = this->Labels[v].Edge;
+  tail = std::numeric_limits<Id>::max();
+  for (Offset back = graph.Offsets[v]; back < graph.Offsets[v + 1]; ++back)
+  {
+    const Id t = graph.Targets[back];
+    for (Offset e = graph.Offsets[t]; t < tail && isOver(t, back) && e < graph.Offsets[t + 1]; ++e)
+    {
+      if (graph.Targets[e] == v && isOver(t, e))
+      {
+        edge = e;
+        tail = t;
+      }
+    }
+  }
+  tail = tail == std::numeric_limits<Id>::max() ? this->Labels[v].Tail : tail; // not symmetric
+  return edge;
+}
+
+/// Collects the shortest path. Of equally short paths, the path ends at the seed with the smallest
+/// vertex, and its tails are those of the tree of a search (SearchLabels::IsPreferred()), so that
+/// the path does not depend on the guides.
+template <typename Length>
+void PointToPoint::CollectPath(const GraphView& graph, const Length* lengths,
+  const std::vector<GraphSeed>& from, GraphPath& path)
 {
   path = GraphPath();
   path.Length = this->Best;
@@ -313,15 +346,24 @@ void PointToPoint::CollectPath(GraphPath& path) const
   {
     return;
   }
-  path.ToSeed = this->Labels[this->End].Goal;
   Id v = this->End;
-  for (; this->Labels[v].Edge >= 0; v = this->Labels[v].Tail)
+  for (const GraphSeed& seed : *this->To)
   {
-    path.Vertices.push_back(v);
-    path.Edges.push_back(this->Labels[v].Edge);
+    const bool isReached = this->Distances[seed.Vertex] + seed.Distance == this->Best;
+    v = isReached ? std::min(v, seed.Vertex) : v;
   }
+  path.ToSeed = this->Labels[v].Goal;
   path.Vertices.push_back(v);
-  path.FromSeed = this->Labels[v].Tail;
+  const auto isSeed = [&](const GraphSeed& seed) {
+    return seed.Vertex == v && seed.Distance == this->Distances[v];
+  };
+  auto seed = from.begin();
+  while ((seed = std::find_if(from.begin(), from.end(), isSeed)) == from.end())
+  {
+    path.Edges.push_back(this->FindEdgeTo(graph, lengths, v, v));
+    path.Vertices.push_back(v);
+  }
+  path.FromSeed = static_cast<Id>(seed - from.begin());
   std::reverse(path.Vertices.begin(), path.Vertices.end());
   std::reverse(path.Edges.begin(), path.Edges.end());
 }

@@ -66,7 +66,12 @@ private:
   void PrefetchGuides(Id v) const;
   template <typename Length>
   void PrefetchEdges(const GraphView& graph, const Length* lengths, Id v) const;
-  void CollectPath(GraphPath& path) const;
+  /// Returns the edge through which a path reaches a vertex that is not a seed.
+  template <typename Length>
+  Offset FindEdgeTo(const GraphView& graph, const Length* lengths, Id v, Id& tail) const;
+  template <typename Length>
+  void CollectPath(const GraphView& graph, const Length* lengths,
+    const std::vector<GraphSeed>& from, GraphPath& path);
 
   std::vector<double> Distances; ///< labels, stored separately: most are only compared
   std::vector<Label> Labels;

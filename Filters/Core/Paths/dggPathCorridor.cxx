@@ -32,8 +32,9 @@ SurfacePoint ToSubMesh(const SurfaceMesh& parent, const SurfacePoint& point, Id 
 }
 }
 
-PathCorridor::PathCorridor(const SurfaceMesh& mesh)
+PathCorridor::PathCorridor(const SurfaceMesh& mesh, const std::uint8_t* isRim)
   : Mesh(mesh)
+  , IsRim(isRim)
   , Selector(mesh)
 {
 }
@@ -41,6 +42,7 @@ PathCorridor::PathCorridor(const SurfaceMesh& mesh)
 bool PathCorridor::Shorten(double detour, SurfacePath& path)
 {
   this->WasStopped = false;
+  this->HasMetRim = false;
   if (path.Faces.size() < 2)
   {
     return false;
@@ -52,6 +54,11 @@ bool PathCorridor::Shorten(double detour, SurfacePath& path)
   this->LayPath(path);
   this->Grow();
   const SubMesh corridor = this->Selector.Take();
+  for (std::size_t v = 0; v < this->Vertices.size() && this->IsRim; ++v)
+  {
+    this->HasMetRim =
+      this->HasMetRim || (this->Vertices[v].IsNear && this->IsRim[corridor.Points[v].Vertex]);
+  }
   SurfaceMesh mesh;
   if (!corridor.Build(this->Mesh, mesh).IsOk())
   {

@@ -22,13 +22,17 @@ namespace dgg
 class PathCorridor
 {
 public:
-  explicit PathCorridor(const SurfaceMesh& mesh);
+  /// `isRim` flags the vertices of a submesh at which faces of its parent are missing; may be null.
+  explicit PathCorridor(const SurfaceMesh& mesh, const std::uint8_t* isRim = nullptr);
 
   /// Replaces the path by the shortest one in its corridor. Returns false, leaving the path
   /// unchanged, if the new path is not shorter or the solver would take too long.
   bool Shorten(double detour, SurfacePath& path);
   /// Returns true if the last call stopped the solver because it would have taken too long.
   bool IsStopped() const { return this->WasStopped; }
+
+  /// Returns true if faces may have been missing in the corridor of the last call.
+  bool MeetsRim() const { return this->HasMetRim; }
 
   /// Returns the size of the reused buffers in bytes, excluding corridors.
   std::size_t GetMemorySize() const { return this->Selector.GetMemorySize(); }
@@ -49,9 +53,11 @@ private:
   bool IsWithin(const Point2& place) const;
 
   const SurfaceMesh& Mesh;
+  const std::uint8_t* IsRim;
   FaceSelector Selector;
   std::vector<Vertex> Vertices; // vertices of the corridor
   bool WasStopped = false;
+  bool HasMetRim = false;
   double Length = 0.0;
   double Detour = 0.0;
 };

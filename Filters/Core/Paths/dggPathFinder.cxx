@@ -16,10 +16,10 @@ namespace dgg
 /// Workspace for finding one path.
 struct PathFinder::Workspace
 {
-  explicit Workspace(const SurfaceMesh& mesh)
+  Workspace(const SurfaceMesh& mesh, const std::uint8_t* isRim)
     : Tracer(mesh)
-    , Shortener(mesh)
-    , Corridor(mesh)
+    , Shortener(mesh, isRim)
+    , Corridor(mesh, isRim)
   {
   }
 
@@ -55,9 +55,17 @@ struct PathFinder::Ends
 PathFinder::PathFinder(const SurfaceMesh& mesh, const GraphSearch& search,
   const GraphBuilder* builder, const double* positions)
   : Mesh(mesh)
-  , Search(search)
+  , Search(&search)
   , Builder(builder)
   , Positions(positions)
+  , Usable(CheckCorners(mesh))
+  , Workspaces(std::make_unique<WorkspacePool<Workspace>>())
+{
+}
+
+PathFinder::PathFinder(const SurfaceMesh& mesh, const std::uint8_t* isRim)
+  : Mesh(mesh)
+  , IsRim(isRim)
   , Usable(CheckCorners(mesh))
   , Workspaces(std::make_unique<WorkspacePool<Workspace>>())
 {
@@ -86,15 +94,44 @@ Status PathFinder::FindBetween(const SurfacePoint& from, const SurfacePoint& to,
   const PathOptions& options, FoundPath& found) const
 {
   DGG_RETURN_IF_ERROR(this->Usable);
-  if (!this->Search.GetGraph().Angles)
+  const GraphView& graph = this->Search->GetGraph();
+  if (!graph.Angles)
   {
     return InvalidInput("The graph has no directions, which paths need")
       .Fix("Use the graph of a mesh");
   }
   const double linkAccuracy =
-    options.LinkAccuracy > 0.0 ? options.LinkAccuracy : this->Search.GetGraph().Info.Accuracy;
+    options.LinkAccuracy > 0.0 ? options.LinkAccuracy : graph.Info.Accuracy;
   Ends ends;
+  GraphRoute route;
   DGG_RETURN_IF_ERROR(this->Link(from, to, linkAccuracy, ends));
+  if (!IsSamePoint(from, to))
+  {
+    GraphPath path;
+    DGG_RETURN_IF_ERROR(this->Search->Between(
+      MakeSeeds(ends.Links[0]), MakeSeeds(ends.Links[1]), this->Positions, path));
+    route.Length = path.Length;
+    route.Direct = ends.Direct;
+    for (const Offset e : path.Edges)
+    {
+      route.Angles.push_back(graph.Angles[e]);
+      route.Lengths.push_back(graph.Length(e));
+    }
+    if (!path.Vertices.empty())
+    {
+      route.Links[0] = ends.Links[0][path.FromSeed];
+      route.Links[1] = ends.Links[1][path.ToSeed];
+    }
+    route.Vertices = std::move(path.Vertices);
+  }
+  return this->Trace(from, to, route, options, found);
+}
+
+Status PathFinder::Trace(const SurfacePoint& from, const SurfacePoint& to, const GraphRoute& route,
+  const PathOptions& options, FoundPath& found) const
+{
+  DGG_RETURN_IF_ERROR(this->Usable);
+  found = FoundPath();
   if (IsSamePoint(from, to))
   {
     found.Path.Points.push_back(from);
@@ -102,20 +139,17 @@ Status PathFinder::FindBetween(const SurfacePoint& from, const SurfacePoint& to,
     found.IsStraightened = options.Straighten;
     return Status::Success();
   }
-  GraphPath path;
-  DGG_RETURN_IF_ERROR(this->Search.Between(
-    MakeSeeds(ends.Links[0]), MakeSeeds(ends.Links[1]), this->Positions, path));
-  found.GraphLength = std::min(path.Length, ends.Direct);
+  found.GraphLength = std::min(route.Length, route.Direct);
   if (found.GraphLength == Infinity)
   {
     return Status::Success();
   }
-  const auto workspace = this->Workspaces->Borrow(this->Mesh);
+  const auto workspace = this->Workspaces->Borrow(this->Mesh, this->IsRim);
   PathTracer& tracer = workspace->Tracer;
   tracer.Begin(options.Straighten);
-  DGG_RETURN_IF_ERROR(ends.Direct <= path.Length
-      ? tracer.Append(from, to, ends.Direct)
-      : this->TraceGraphEdges(tracer, from, to, ends, path));
+  DGG_RETURN_IF_ERROR(route.Direct <= route.Length
+      ? tracer.Append(from, to, route.Direct)
+      : this->TraceGraphEdges(tracer, from, to, route));
   found.NumberOfFallbacks = tracer.GetNumberOfFallbacks();
   this->Finish(*workspace, options, found);
   return Status::Success();
@@ -138,25 +172,23 @@ Status PathFinder::Link(
 }
 
 Status PathFinder::TraceGraphEdges(PathTracer& tracer, const SurfacePoint& from,
-  const SurfacePoint& to, const Ends& ends, const GraphPath& path) const
+  const SurfacePoint& to, const GraphRoute& route) const
 {
-  const GraphView& graph = this->Search.GetGraph();
   if (!IsVertex(from))
   {
-    const GraphLink& link = ends.Links[0][path.FromSeed];
+    const GraphLink& link = route.Links[0];
     DGG_RETURN_IF_ERROR(tracer.Append({ link.Vertex, link.ArrivalAngle, from, link.Length }, true));
   }
-  for (std::size_t i = 0; i < path.Edges.size(); ++i)
+  for (std::size_t i = 0; i < route.Angles.size(); ++i)
   {
-    const Offset e = path.Edges[i];
-    DGG_RETURN_IF_ERROR(tracer.Append({ path.Vertices[i], graph.Angles[e],
-      SurfacePoint::AtVertex(path.Vertices[i + 1]), graph.Length(e) }));
+    DGG_RETURN_IF_ERROR(tracer.Append({ route.Vertices[i], route.Angles[i],
+      SurfacePoint::AtVertex(route.Vertices[i + 1]), route.Lengths[i] }));
   }
   if (IsVertex(to))
   {
     return Status::Success();
   }
-  const GraphLink& link = ends.Links[1][path.ToSeed];
+  const GraphLink& link = route.Links[1];
   return tracer.Append({ link.Vertex, link.ArrivalAngle, to, link.Length });
 }
 
@@ -171,6 +203,7 @@ void PathFinder::Finish(Workspace& workspace, const PathOptions& options, FoundP
     }
     return;
   }
+  workspace.Shortener.ForgetRim();
   workspace.Straighten(found.Path);
   if (options.Detour > 0.0)
   {
@@ -182,7 +215,9 @@ void PathFinder::Finish(Workspace& workspace, const PathOptions& options, FoundP
       workspace.Straighten(path);
       found.Path = std::move(path);
     }
+    found.MeetsRim = workspace.Corridor.MeetsRim();
   }
+  found.MeetsRim = found.MeetsRim || workspace.Shortener.MeetsRim();
   found.IsStraightened = true;
 }
 }

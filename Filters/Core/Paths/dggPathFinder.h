@@ -11,7 +11,9 @@
 #include "dggSurfacePath.h"  // for SurfacePath
 
 #include <cstddef> // for std::size_t
+#include <cstdint> // for flags
 #include <memory>  // for the workspaces
+#include <vector>  // for routes
 
 namespace dgg
 {
@@ -44,6 +46,23 @@ struct FoundPath
   /// Number of graph edges whose direction, stored as a float, did not lead to their head, so that
   /// the geodesic had to be computed again. Expected to be 0.
   Id NumberOfFallbacks = 0;
+  /// True if the path depends on the rim of a submesh, so that it may differ from that on the
+  /// surface.
+  bool MeetsRim = false;
+};
+
+/// A path in a graph, to be traced on the surface.
+struct GraphRoute
+{
+  double Length = Infinity; ///< GraphPath::Length
+  std::vector<Id> Vertices; ///< GraphPath::Vertices
+  ///@{
+  /// Per edge between these vertices, its direction (GraphView::Angles) and length.
+  std::vector<double> Angles;
+  std::vector<double> Lengths;
+  ///@}
+  GraphLink Links[2];       ///< to the first and the last vertex, of ends that are not vertices
+  double Direct = Infinity; ///< length of the straight line between the ends
 };
 
 /// Finds paths in a graph. All constructor arguments must outlive the finder. Several threads may
@@ -55,6 +74,9 @@ public:
   /// all points are vertices.
   PathFinder(const SurfaceMesh& mesh, const GraphSearch& search, const GraphBuilder* builder,
     const double* positions);
+  /// Makes a finder that only traces, on a submesh. `isRim` flags the vertices some of whose faces
+  /// are not in the submesh.
+  PathFinder(const SurfaceMesh& mesh, const std::uint8_t* isRim);
   ~PathFinder();
   PathFinder(const PathFinder&) = delete;
   PathFinder& operator=(const PathFinder&) = delete;
@@ -64,6 +86,10 @@ public:
   /// failure.
   Status Find(const SurfacePoint& from, const SurfacePoint& to, const PathOptions& options,
     FoundPath& found) const;
+
+  /// Traces a path that was found in a graph, which Find() does after a search.
+  Status Trace(const SurfacePoint& from, const SurfacePoint& to, const GraphRoute& route,
+    const PathOptions& options, FoundPath& found) const;
 
   /// Returns the size in bytes of the buffers that are reused for later paths, one set per thread
   /// that has found a path. May be called after the mesh has been destroyed.
@@ -77,13 +103,14 @@ private:
     FoundPath& found) const;
   Status Link(const SurfacePoint& from, const SurfacePoint& to, double accuracy, Ends& ends) const;
   Status TraceGraphEdges(PathTracer& tracer, const SurfacePoint& from, const SurfacePoint& to,
-    const Ends& ends, const GraphPath& path) const;
+    const GraphRoute& route) const;
   void Finish(Workspace& workspace, const PathOptions& options, FoundPath& found) const;
 
   const SurfaceMesh& Mesh;
-  const GraphSearch& Search;
-  const GraphBuilder* Builder;
-  const double* Positions;
+  const GraphSearch* Search = nullptr;
+  const GraphBuilder* Builder = nullptr;
+  const double* Positions = nullptr;
+  const std::uint8_t* IsRim = nullptr;
   const Status Usable; // error if the mesh cannot be used
   std::unique_ptr<WorkspacePool<Workspace>> Workspaces;
 };

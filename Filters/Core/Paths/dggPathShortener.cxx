@@ -70,6 +70,7 @@ bool PathShortener::Reroute(Strip& strip)
   for (std::size_t b = 0; b < this->Bends.size(); ++b)
   {
     const Corner corner = this->CornerAt(this->Bends[b]);
+    this->HasMetRim = this->HasMetRim || (this->IsRim && this->IsRim[corner.Vertex]);
     if (corner.First < done) // shares an edge with a rerouted bend: next round
     {
       continue;

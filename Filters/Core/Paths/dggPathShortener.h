@@ -10,6 +10,7 @@
 #include "dggSurfacePath.h"    // for SurfacePath
 
 #include <cstddef> // for std::size_t
+#include <cstdint> // for flags
 #include <vector>  // for the bends
 
 namespace dgg
@@ -23,10 +24,18 @@ namespace dgg
 class PathShortener
 {
 public:
-  explicit PathShortener(const SurfaceMesh& mesh)
+  /// `isRim` flags the vertices of a submesh at which faces of its parent are missing; may be null.
+  explicit PathShortener(const SurfaceMesh& mesh, const std::uint8_t* isRim = nullptr)
     : Mesh(mesh)
+    , IsRim(isRim)
   {
   }
+
+  ///@{
+  /// Returns true if a path has bent at a vertex of the rim, where faces may be missing.
+  bool MeetsRim() const { return this->HasMetRim; }
+  void ForgetRim() { this->HasMetRim = false; }
+  ///@}
 
   /// Shortens until the path is locally shortest. Returns its length.
   double Shorten(Strip& strip);
@@ -60,6 +69,8 @@ private:
     const Strip& strip, const Corner& corner, const Point2& before, const Point2& after) const;
 
   const SurfaceMesh& Mesh;
+  const std::uint8_t* IsRim;
+  bool HasMetRim = false;
   StripUnfolding Plane;
   Funnel TheFunnel;
   std::vector<StripBend> Bends;

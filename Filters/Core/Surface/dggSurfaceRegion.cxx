@@ -335,6 +335,30 @@ Status SurfaceRegion::Grow(ProcessGroup& group, int layers, bool isNeeded, doubl
   return Status::Success();
 }
 
+Status SurfaceRegion::GrowFirst(
+  ProcessGroup& group, const std::function<bool(const double*)>& isNear, double inUse)
+{
+  std::vector<Message> messages(static_cast<std::size_t>(group.Count));
+  if (group.Here != 0)
+  {
+    std::vector<Offset> near;
+    for (std::size_t point = 0; point + 1 < this->CellsOfPoints.Begins.size(); ++point)
+    {
+      if (isNear(this->Positions.data() + 3 * point))
+      {
+        near.push_back(this->PointIds[point]);
+      }
+    }
+    this->Answer(0, near, messages.front());
+  }
+  DGG_RETURN_IF_ERROR(group.Exchange(messages, this->GetMemorySize() + inUse));
+  for (const Message& message : messages)
+  {
+    this->AddCells(message);
+  }
+  return Status::Success();
+}
+
 /// Sends a process the polygons of the piece at the requested points, each polygon and point once.
 void SurfaceRegion::Answer(
   std::size_t process, const std::vector<Offset>& requested, Message& answer)
@@ -458,20 +482,41 @@ std::vector<std::size_t> SurfaceRegion::GetOrderOfCells() const
   return cells;
 }
 
-RegionPolygons SurfaceRegion::MakePolygons() const
+RegionPolygons SurfaceRegion::MakePolygons(const std::function<bool(const double*)>& isNear) const
 {
   RegionPolygons polygons;
-  polygons.Points = this->GetOrder();
-  const std::vector<Id>& order = polygons.Points;
-  std::vector<Offset> rank(order.size());
+  std::vector<Id> order = this->GetOrder();
+  std::vector<std::size_t> cells = this->GetOrderOfCells();
+  std::vector<std::uint8_t> isFar(isNear ? order.size() : 0);
+  if (isNear)
+  {
+    std::vector<std::uint8_t> isUsed(order.size(), 0);
+    for (const Id point : order)
+    {
+      isFar[point] = isNear(this->Positions.data() + 3 * static_cast<Offset>(point)) ? 0 : 1;
+    }
+    const auto isUnused = [&](std::size_t c) {
+      const auto begin = this->Corners.begin() + static_cast<Offset>(this->Cells[c].Begin);
+      const auto end = begin + static_cast<Offset>(this->Cells[c].Size);
+      const bool areFar = std::all_of(begin, end, [&](Id corner) { return isFar[corner] != 0; });
+      std::for_each(begin, end, [&](Id corner) { isUsed[corner] |= areFar ? 0 : 1; });
+      return areFar;
+    };
+    cells.erase(std::remove_if(cells.begin(), cells.end(), isUnused), cells.end());
+    order.erase(
+      std::remove_if(order.begin(), order.end(), [&](Id p) { return !isUsed[p]; }), order.end());
+  }
+  std::vector<Offset> rank(this->PointIds.size());
   for (std::size_t i = 0; i < order.size(); ++i)
   {
     rank[order[i]] = static_cast<Offset>(i);
     const auto at = this->Positions.begin() + 3 * static_cast<Offset>(order[i]);
     polygons.Positions.insert(polygons.Positions.end(), at, at + 3);
+    polygons.IsFar.push_back(isNear ? isFar[order[i]] : 0);
   }
+  polygons.Points = std::move(order);
   polygons.Offsets.push_back(0);
-  for (const std::size_t c : this->GetOrderOfCells())
+  for (const std::size_t c : cells)
   {
     const Cell& cell = this->Cells[c];
     std::transform(this->Corners.begin() + static_cast<Offset>(cell.Begin),

@@ -13,6 +13,7 @@
 #include "dggSurfacePieces.h" // for the piece
 
 #include <cstdint>       // for flags
+#include <functional>    // for conditions
 #include <map>           // for sets of processes
 #include <unordered_map> // for ids
 #include <vector>        // for points and cells
@@ -57,6 +58,7 @@ struct RegionPolygons
   std::vector<Offset> Corners;
   std::vector<Offset> CellIds;       ///< global
   std::vector<std::uint8_t> IsGhost; ///< per polygon, 1 for those of other pieces
+  std::vector<std::uint8_t> IsFar;   ///< per point, 1 if MakePolygons() excludes some of its cells
 };
 
 /// The piece of a surface that this process has, and cells of other processes around it. A point
@@ -74,14 +76,19 @@ public:
   /// this process uses besides the region.
   Status Grow(ProcessGroup& group, int layers, bool isNeeded, double inUse);
 
+  /// Adds the cells of all processes at points for which `isNear(position)` is true to the region
+  /// of the first process. The condition must be the same on all processes. `inUse` as in Grow().
+  Status GrowFirst(
+    ProcessGroup& group, const std::function<bool(const double*)>& isNear, double inUse);
+
   /// Makes the mesh of the region.
   void MakeMesh(RegionMesh& region) const;
   /// Returns the facts of the mesh of the region, with the number of faces of the piece and the
   /// defects at points that belong to this process.
   SurfaceFacts MeasureFacts(const RegionMesh& region) const;
 
-  /// Returns the polygons of the region.
-  RegionPolygons MakePolygons() const;
+  /// Returns the polygons of the region, or those at points for which `isNear(position)` is true.
+  RegionPolygons MakePolygons(const std::function<bool(const double*)>& isNear = {}) const;
 
   /// Returns the size in bytes.
   double GetMemorySize() const;

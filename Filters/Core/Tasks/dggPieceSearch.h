@@ -38,6 +38,25 @@ struct PieceRelay
   Id Process = NoId;
 };
 
+/// Vertex of a path, and the edge that leads there.
+struct PieceStep
+{
+  Offset PointId; ///< global
+  double Position[3];
+  ///@{
+  /// GraphView::Angles and the length of the edge; zeros at the start of the path.
+  double Angle;
+  double Length;
+  ///@}
+};
+
+/// A path in the graph of all pieces.
+struct PieceRoute
+{
+  double Length = Infinity;     ///< infinity if there is no path
+  std::vector<PieceStep> Steps; ///< from the end to the start
+};
+
 /// Options of a search. They must be the same on all processes.
 struct PieceSearchOptions
 {
@@ -98,6 +117,12 @@ public:
   std::vector<Id> ListConnected() const;
   /// Returns the global id of a vertex.
   Offset GetId(Id v) const { return this->Ids[v]; }
+
+  /// Finds the paths of the last Run() to points of the graph, given by their global ids. They are
+  /// the paths that GraphSearch::Between() finds. `piece` is that of Prepare(). `isUsable` becomes
+  /// false on all processes for the reasons of Run().
+  Status FollowBack(ProcessGroup& group, const SurfacePiece& piece, const std::vector<Offset>& ends,
+    std::vector<PieceRoute>& routes, bool& isUsable) const;
 
   /// Finds the seeds, by their indices, at points without edges.
   Status FindIsolated(ProcessGroup& group, const std::vector<PieceSeed>& seeds,

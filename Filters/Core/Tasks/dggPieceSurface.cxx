@@ -21,6 +21,8 @@ namespace
 constexpr int Layers = 2;
 /// Bytes of a point: its corners in polygons, its positions in input and output, and its values.
 constexpr double BytesOfPoint = 256.0;
+/// Bytes of a point of a surface that is gathered: polygons, mesh and search of paths.
+constexpr double BytesOfNearPoint = 1024.0;
 
 /// Range of the global ids of a piece.
 struct IdRange
@@ -93,27 +95,67 @@ void Replace(OutputArrays& arrays, const std::string& name, const IdOf& idOf)
 
 Status PieceSurface::Prepare(ProcessGroup& group, const SurfacePiece& piece, bool& isUsable)
 {
+  DGG_RETURN_IF_ERROR(this->Start(group, piece, Layers, isUsable));
+  return isUsable ? this->MakeSurface() : Status::Success();
+}
+
+Status PieceSurface::PrepareToGather(ProcessGroup& group, const SurfacePiece& piece, bool& isUsable)
+{
+  DGG_RETURN_IF_ERROR(this->Start(group, piece, 1, isUsable)); // all cells at the points
+  this->Polygons = RegionPolygons();
+  return Status::Success();
+}
+
+Status PieceSurface::GatherNear(
+  ProcessGroup& group, const std::function<bool(const double*)>& isNear, double inUse)
+{
+  DGG_RETURN_IF_ERROR(this->Region.GrowFirst(group, isNear, inUse));
+  Status status;
+  if (group.Here == 0)
+  {
+    this->MakeArrays(isNear);
+    status = CheckMemory("The surface around paths",
+      inUse + this->Region.GetMemorySize() +
+        BytesOfNearPoint * static_cast<double>(this->Polygons.Points.size()),
+      group.MemoryLimit, "Use fewer pairs at a time");
+    status = status.IsOk() ? this->MakeSurface() : status;
+  }
+  return group.Agree(status);
+}
+
+Status PieceSurface::Start(
+  ProcessGroup& group, const SurfacePiece& piece, int layers, bool& isUsable)
+{
   DGG_RETURN_IF_ERROR(this->Region.Start(group, piece, isUsable));
   if (!isUsable)
   {
     return Status::Success();
   }
-  DGG_RETURN_IF_ERROR(this->Region.Grow(group, Layers, true, 0.0));
+  DGG_RETURN_IF_ERROR(this->Region.Grow(group, layers, true, 0.0));
   DGG_RETURN_IF_ERROR(this->CheckFaces(group, isUsable));
   if (!isUsable)
   {
     return Status::Success();
   }
-  this->Polygons = this->Region.MakePolygons();
+  this->MakeArrays();
+  return this->CheckIds(group, piece, isUsable);
+}
+
+void PieceSurface::MakeArrays(const std::function<bool(const double*)>& isNear)
+{
+  this->Polygons = this->Region.MakePolygons(isNear);
   this->Arrays.Points = this->Polygons.Positions.data();
   this->Arrays.NumberOfPoints = static_cast<Offset>(this->Polygons.Points.size());
   this->Arrays.Polygons = { static_cast<Offset>(this->Polygons.CellIds.size()),
     this->Polygons.Offsets.data(), this->Polygons.Corners.data(),
     static_cast<Offset>(this->Polygons.Corners.size()) };
-  DGG_RETURN_IF_ERROR(this->CheckIds(group, piece, isUsable));
+}
+
+Status PieceSurface::MakeSurface()
+{
   this->Surface = std::make_shared<const PreparedSurface>();
   this->IsGhost.clear();
-  if (isUsable && !this->Polygons.CellIds.empty())
+  if (!this->Polygons.CellIds.empty())
   {
     DGG_RETURN_IF_ERROR(PreparedSurface::Make(this->Arrays, Domain(),
       PreparedSurface::ComputeFingerprint(this->Arrays, Domain()), this->Surface));
@@ -223,15 +265,21 @@ Status PieceSurface::Locate(
 
 void PieceSurface::AddVertex(Offset point, std::size_t index, int process, PiecePoints& here) const
 {
-  const std::vector<Id>& points = this->Polygons.Points;
-  const Offset id = this->FirstPoint + point;
-  const auto found = std::lower_bound(points.begin(), points.end(), id,
-    [this](Id p, Offset wanted) { return this->Region.GetPointId(p) < wanted; });
-  if (found != points.end() && this->Region.GetPointId(*found) == id &&
-    this->Region.GetOwner(*found) == process)
+  const Id v = this->FindVertex(this->FirstPoint + point);
+  if (v != NoId && this->Region.GetOwner(this->Polygons.Points[v]) == process)
   {
-    here.Add(index, SurfacePoint::AtVertex(static_cast<Id>(found - points.begin())));
+    here.Add(index, SurfacePoint::AtVertex(v));
   }
+}
+
+Id PieceSurface::FindVertex(Offset globalId) const
+{
+  const std::vector<Id>& points = this->Polygons.Points;
+  const auto found = std::lower_bound(points.begin(), points.end(), globalId,
+    [this](Id p, Offset wanted) { return this->Region.GetPointId(p) < wanted; });
+  return found != points.end() && this->Region.GetPointId(*found) == globalId
+    ? static_cast<Id>(found - points.begin())
+    : NoId;
 }
 
 Status PieceSurface::WritePoints(

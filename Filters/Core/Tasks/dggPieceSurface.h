@@ -11,8 +11,9 @@
 #include "dggProcessGroup.h"    // for messages
 #include "dggSurfaceRegion.h"   // for the region
 
-#include <cstdint> // for flags
-#include <vector>  // for values
+#include <cstdint>    // for flags
+#include <functional> // for conditions
+#include <vector>     // for values
 
 namespace dgg
 {
@@ -31,6 +32,17 @@ public:
   /// consecutive, if there are other cells than polygons, and if a process has points without cells
   /// only.
   Status Prepare(ProcessGroup& group, const SurfacePiece& piece, bool& isUsable);
+
+  ///@{
+  /// PrepareToGather() prepares GatherNear(), which replaces the surface of the first process by
+  /// all cells at points for which `isNear(position)` is true. The condition must be the same on
+  /// all processes, and no smaller than that of the last call. Other processes have no surface.
+  Status PrepareToGather(ProcessGroup& group, const SurfacePiece& piece, bool& isUsable);
+  Status GatherNear(
+    ProcessGroup& group, const std::function<bool(const double*)>& isNear, double inUse);
+  /// Returns 1 per vertex some of whose cells are not on the surface, otherwise 0.
+  const std::vector<std::uint8_t>& GetRim() const { return this->Polygons.IsFar; }
+  ///@}
 
   const PreparedSurface& Get() const { return *this->Surface; }
   Offset GetNumberOfPoints() const { return this->Arrays.NumberOfPoints; }
@@ -53,6 +65,8 @@ public:
   /// Adds a point of the entire surface, given by its number, if the point belongs to this
   /// process.
   void AddVertex(Offset point, std::size_t index, int process, PiecePoints& here) const;
+  /// Returns the vertex at a point with a global id; NoId if the point is not on the surface.
+  Id FindVertex(Offset globalId) const;
   /// Writes the points of all processes to the output of the first one, like WriteSurfacePoints()
   /// on the entire surface.
   Status WritePoints(
@@ -62,6 +76,9 @@ public:
   void Renumber(Output& output) const;
 
 private:
+  Status Start(ProcessGroup& group, const SurfacePiece& piece, int layers, bool& isUsable);
+  void MakeArrays(const std::function<bool(const double*)>& isNear = {});
+  Status MakeSurface();
   Status CheckFaces(ProcessGroup& group, bool& isUsable);
   Status CheckIds(ProcessGroup& group, const SurfacePiece& piece, bool& isUsable);
 
