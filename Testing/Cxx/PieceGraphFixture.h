@@ -161,6 +161,20 @@ protected:
     EXPECT_EQ(this->Sum(edges), static_cast<vtkIdType>(allTargets.size()));
   }
 };
+
+/// Tests with the pieces of a division.
+class DividedSurface
+  : public PieceGraph
+  , public testing::WithParamInterface<Division>
+{
+protected:
+  /// Returns the piece of this process, with ghosts if the number of processes is even.
+  vtkSmartPointer<vtkPolyData> TakePiece(vtkPolyData* surface) const
+  {
+    return TakePart(surface, this->GetParam().Label(surface, this->Count), this->Here,
+      PartIds::Global, this->Count % 2 == 0);
+  }
+};
 }
 
 #endif

@@ -75,17 +75,9 @@ std::set<Numbers> GetInnerPoints(vtkPolyData* output)
   return inner;
 }
 
-class IsolinesInPieces
-  : public PieceGraph
-  , public testing::WithParamInterface<Division>
+class IsolinesInPieces : public DividedSurface
 {
 protected:
-  vtkSmartPointer<vtkPolyData> TakePiece(vtkPolyData* surface) const
-  {
-    return TakePart(surface, this->GetParam().Label(surface, this->Count), this->Here,
-      PartIds::Global, this->Count % 2 == 0);
-  }
-
   /// Expects that the lines of all processes are those of a single one, cut between pieces.
   template <typename Prepare>
   void ExpectLines(vtkPolyData* piece, vtkPolyData* surface, const Prepare& prepare)

@@ -36,17 +36,9 @@ std::vector<std::pair<std::string, std::vector<double>>> GetContents(vtkPolyData
   return contents;
 }
 
-class PathsInPieces
-  : public PieceGraph
-  , public testing::WithParamInterface<Division>
+class PathsInPieces : public DividedSurface
 {
 protected:
-  vtkSmartPointer<vtkPolyData> TakePiece(vtkPolyData* surface) const
-  {
-    return TakePart(surface, this->GetParam().Label(surface, this->Count), this->Here,
-      PartIds::Global, this->Count % 2 == 0);
-  }
-
   /// Expects that the paths are those of a single process, bit by bit, and that the pieces are
   /// not gathered.
   template <typename Prepare>

@@ -69,19 +69,11 @@ void ExpectSamePoints(vtkPolyData* output, vtkPolyData* expected)
   }
 }
 
-class PointsInPieces
-  : public PieceGraph
-  , public testing::WithParamInterface<Division>
+class PointsInPieces : public DividedSurface
 {
 protected:
   /// Two terrains, with two components.
   const vtkSmartPointer<vtkPolyData> Terrains = Beside(MakeTerrain(20), MakeTerrain(15), 2.0);
-
-  vtkSmartPointer<vtkPolyData> TakePiece(vtkPolyData* surface) const
-  {
-    return TakePart(surface, this->GetParam().Label(surface, this->Count), this->Here,
-      PartIds::Global, this->Count % 2 == 0);
-  }
 
   /// Returns points in cells, on edges and at points, one of which several processes have.
   vtkSmartPointer<vtkPolyData> MakePoints() const

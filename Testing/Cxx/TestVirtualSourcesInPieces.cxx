@@ -35,9 +35,7 @@ vtkSmartPointer<vtkPolyData> MakePerforatedTerrain()
 
 using Search = std::function<void(vtkDGGDistance*)>;
 
-class VirtualSourcesInPieces
-  : public PieceGraph
-  , public testing::WithParamInterface<Division>
+class VirtualSourcesInPieces : public DividedSurface
 {
 protected:
   /// Expects that searches in a graph give the arrays of a single process, and that the pieces are

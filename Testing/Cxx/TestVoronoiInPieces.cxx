@@ -40,9 +40,7 @@ void ExpectSamePoints(vtkPolyData* output, vtkPolyData* expected)
   }
 }
 
-class VoronoiInPieces
-  : public PieceGraph
-  , public testing::WithParamInterface<Division>
+class VoronoiInPieces : public DividedSurface
 {
 };
 }
