@@ -29,6 +29,7 @@
 #include "vtkInformationVector.h"
 #include "vtkMultiProcessController.h"
 #include "vtkNew.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSMPTools.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
@@ -36,6 +37,7 @@
 #include <algorithm>
 #include <exception>
 #include <new>
+#include <vector>
 
 namespace
 {
@@ -108,6 +110,27 @@ void Empty(vtkInformationVector* outputVector, bool isAgain)
       outInfo->Set(vtkDemandDrivenPipeline::DATA_NOT_GENERATED(), 1);
     }
   }
+}
+
+/// Gives the points of an empty piece the data type of the first other piece, because new points on
+/// this process have that of its piece.
+dgg::Status SharePointType(dgg::ProcessGroup& group, vtkSmartPointer<vtkPolyData>& piece)
+{
+  const bool isEmpty = piece->GetNumberOfPoints() == 0;
+  std::vector<int> types;
+  DGG_RETURN_IF_ERROR(group.Share(isEmpty ? VTK_VOID : piece->GetPoints()->GetDataType(), types));
+  const auto type =
+    std::find_if(types.begin(), types.end(), [](int other) { return other != VTK_VOID; });
+  if (isEmpty && type != types.end())
+  {
+    vtkNew<vtkPoints> points;
+    points->SetDataType(*type);
+    const auto typed = vtkSmartPointer<vtkPolyData>::New();
+    typed->ShallowCopy(piece);
+    typed->SetPoints(points);
+    piece = typed;
+  }
+  return dgg::Status::Success();
 }
 }
 
@@ -281,6 +304,7 @@ dgg::Status DGGFilterInternals::ComputePiece(const DGGProcesses& processes,
   return group.Agree(this->Try([&] {
     DGG_RETURN_IF_ERROR(this->CheckAllProperties());
     DGG_RETURN_IF_ERROR(DGGRemoveGhosts(part));
+    DGG_RETURN_IF_ERROR(SharePointType(group, part));
     this->OutputWarnings.clear();
     static const dgg::PreparedSurface none; // of the entire surface
     const DGGContext update = this->MakeContext(part);

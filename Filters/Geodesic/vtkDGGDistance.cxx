@@ -122,9 +122,9 @@ dgg::Status vtkDGGDistance::vtkInternals::ExecutePiece(
   }
   first.Options.Accuracy = this->Searches.GetAccuracy();
   dgg::DistanceOutput results;
-  DGG_RETURN_IF_ERROR(
-    dgg::FindPieceDistances(context, group, this->Searches.GetSearch(), this->Searches.GetLinks(),
-      this->Searches.GetVirtualSources(), sources, first.Options, request, results, isDone));
+  DGG_RETURN_IF_ERROR(dgg::FindPieceDistances(this->Searches.MakeContext(context), group,
+    this->Searches.GetSearch(), this->Searches.GetLinks(), this->Searches.GetVirtualSources(),
+    sources, first.Options, request, results, isDone));
   if (!isDone)
   {
     return dgg::Status::Success();

@@ -178,6 +178,7 @@ dgg::Status vtkDGGPath::vtkInternals::Execute(
       .Fix("Set {Method} to Graph");
   }
   const bool isExact = this->Self->Method == Exact;
+  this->Searches = DGGPieceSearches();
   dgg::PathOptions options;
   options.Straighten = this->Self->Straighten;
   options.Detour = this->Self->Detour;
@@ -241,29 +242,32 @@ dgg::Status vtkDGGPath::vtkInternals::ExecutePiece(
   if (isDone)
   {
     DGG_RETURN_IF_ERROR(surface.PrepareToGather(group, update.Piece, isDone));
+    if (!isDone)
+    {
+      this->GraphUser.RefusePiece();
+    }
   }
   dgg::PathSearch::Paths paths;
   if (isDone)
   {
-    DGG_RETURN_IF_ERROR(dgg::FindPiecePaths(context, group, update.Piece,
-      this->Searches.GetSearch(), surface, ends, options, paths, isDone));
+    DGG_RETURN_IF_ERROR(dgg::FindPiecePaths(this->Searches.MakeContext(context), group,
+      update.Piece, this->Searches.GetSearch(), surface, ends, options, paths, isDone));
   }
   if (!isDone)
   {
     return dgg::Status::Success();
   }
-  this->Searches.Keep(this->GraphUser, this->Self);
-  vtkPolyData::GetData(update.Outputs)->Initialize();
-  if (group.Here != 0)
+  if (group.Here == 0)
   {
-    return dgg::Status::Success();
+    this->Self->NumberOfFallbacks = dgg::CountFallbacks(paths);
+    const DGGContext onSurface{ surface.MakeContext(context), context.Input };
+    dgg::Output output;
+    dgg::WritePaths(onSurface, paths, output);
+    surface.Renumber(output);
+    DGG_RETURN_IF_ERROR(this->FillOutput(onSurface, output, update.Outputs));
   }
-  this->Self->NumberOfFallbacks = dgg::CountFallbacks(paths);
-  const DGGContext onSurface{ surface.MakeContext(context), context.Input };
-  dgg::Output output;
-  dgg::WritePaths(onSurface, paths, output);
-  surface.Renumber(output);
-  return this->FillOutput(onSurface, output, update.Outputs);
+  this->Searches.Keep(this->GraphUser, this->Self);
+  return dgg::Status::Success();
 }
 
 //------------------------------------------------------------------------------

@@ -137,7 +137,8 @@ dgg::Status vtkGeodesicProbe::vtkInternals::ExecutePiece(
   dgg::PiecePoints here;
   DGG_RETURN_IF_ERROR(probes.Check(0));
   DGG_RETURN_IF_ERROR(surface.Locate(group, probes, first.Tolerance, here));
-  DGG_RETURN_IF_ERROR(dgg::ReportTo(context.Progress, ReadDone)); // not all processes have points
+  // Processes without points must notice an abort, too.
+  DGG_RETURN_IF_ERROR(dgg::ReportTo(context.Progress, ReadDone));
   dgg::Buffer<double> found(here.Points.size());
   DGG_RETURN_IF_ERROR(
     dgg::ProbeField(this->PieceField.MakeContext(context), this->PieceField.GetReader().GetField(),

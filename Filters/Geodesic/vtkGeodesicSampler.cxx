@@ -143,12 +143,15 @@ dgg::Status vtkGeodesicSampler::vtkInternals::ExecutePiece(
     return dgg::Status::Success();
   }
   dgg::Output output;
-  DGG_RETURN_IF_ERROR(
-    dgg::FindPieceSamples(context, group, *this->Searches.GetSurface(), this->Searches.GetSearch(),
-      this->Searches.GetLinks(), this->Searches.GetAccuracy(), start, options, output));
+  DGG_RETURN_IF_ERROR(dgg::FindPieceSamples(this->Searches.MakeContext(context), group,
+    *this->Searches.GetSurface(), this->Searches.GetSearch(), this->Searches.GetLinks(),
+    this->Searches.GetAccuracy(), start, options, output));
+  if (group.Here == 0)
+  {
+    DGG_RETURN_IF_ERROR(this->FillOutput(context, output, update.Outputs));
+  }
   this->Searches.Keep(this->GraphUser, this->Self);
-  return group.Here == 0 ? this->FillOutput(context, output, update.Outputs)
-                         : dgg::Status::Success();
+  return dgg::Status::Success();
 }
 
 //------------------------------------------------------------------------------

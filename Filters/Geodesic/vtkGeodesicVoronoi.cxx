@@ -212,20 +212,20 @@ dgg::Status vtkGeodesicVoronoi::vtkInternals::ExecutePiece(
   options.Accuracy = this->Searches.GetAccuracy();
   dgg::DistanceOutput labels;
   dgg::Output outputs[4]; // other than labels
-  DGG_RETURN_IF_ERROR(
-    dgg::FindPieceLabels(context, group, *this->Searches.GetSurface(), this->Searches.GetSearch(),
-      this->Searches.GetLinks(), sites, options, this->MakeOptions(), labels, outputs[3], isDone));
+  DGG_RETURN_IF_ERROR(dgg::FindPieceLabels(this->Searches.MakeContext(context), group,
+    *this->Searches.GetSurface(), this->Searches.GetSearch(), this->Searches.GetLinks(), sites,
+    options, this->MakeOptions(), labels, outputs[3], isDone));
   if (!isDone)
   {
     return dgg::Status::Success();
   }
-  this->Searches.Keep(this->GraphUser, this->Self);
   this->Warn(labels.Warnings);
   this->FillSurface(context, labels, vtkPolyData::GetData(update.Outputs, 0));
   for (int port = 1; port < 4 && group.Here == 0; ++port)
   {
     DGG_RETURN_IF_ERROR(this->FillOutput(context, outputs[port], update.Outputs, port));
   }
+  this->Searches.Keep(this->GraphUser, this->Self);
   return dgg::Status::Success();
 }
 

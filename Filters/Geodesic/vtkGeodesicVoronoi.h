@@ -133,10 +133,10 @@ public:
    * accurately are linked to the graph and moved, with limited work. Distances and borders are
    * exact instead, and cells may have curved sides in triangles, if GetMeanAnisotropy() is above 2,
    * if accuracy times the largest distance is less than a quarter of the mean edge (weighted by
-   * area), or if a refined border leaves the accuracy inside a triangle. This takes longer than a
-   * vtkExactGeodesicDistance from the sites. If windows exceed MemoryLimit, the filter warns and
-   * uses the graph. Without cells, and to move sites (Centroidal), distances are always those of
-   * the graph. Default on.
+   * area), or if the distances from two sites differ by more than 1.5 times the accuracy in the
+   * middle of a border segment. This takes longer than a vtkExactGeodesicDistance from the sites.
+   * If windows exceed MemoryLimit, the filter warns and uses the graph. Without cells, and to move
+   * sites (Centroidal), distances are always those of the graph. Default on.
    */
   vtkSetMacro(RefineBoundaries, bool);
   vtkGetMacro(RefineBoundaries, bool);

@@ -38,10 +38,13 @@ inline Labels LabelConnected(vtkPolyData* surface, int parts)
   return labels;
 }
 
-/// Assigns cells to strips; the last of more than two pieces is empty.
+/// Assigns cells to strips; the first of more than two pieces is empty.
 inline Labels LabelStripsButOne(vtkPolyData* surface, int parts)
 {
-  return LabelStrips(surface, parts > 2 ? parts - 1 : parts);
+  const int empty = parts > 2 ? 1 : 0;
+  Labels labels = LabelStrips(surface, parts - empty);
+  std::for_each(labels.begin(), labels.end(), [empty](int& label) { label += empty; });
+  return labels;
 }
 
 inline const Division divisions[] = { { "Strips", LabelStrips }, { "Bisection", LabelBisection },

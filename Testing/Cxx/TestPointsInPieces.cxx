@@ -64,6 +64,7 @@ void ExpectSamePoints(vtkPolyData* output, vtkPolyData* expected)
   }
   if (output->GetNumberOfPoints() > 0)
   {
+    EXPECT_EQ(output->GetPoints()->GetDataType(), expected->GetPoints()->GetDataType());
     EXPECT_EQ(
       GetNumbers(output->GetPoints()->GetData()), GetNumbers(expected->GetPoints()->GetData()));
   }

@@ -329,7 +329,7 @@ Offset PointToPoint::FindEdgeTo(const GraphView& graph, const Length* lengths, I
       }
     }
   }
-  tail = tail == std::numeric_limits<Id>::max() ? this->Labels[v].Tail : tail; // not symmetric
+  tail = tail == std::numeric_limits<Id>::max() ? this->Labels[v].Tail : tail; // no reverse edge
   return edge;
 }
 

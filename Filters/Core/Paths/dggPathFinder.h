@@ -74,8 +74,8 @@ public:
   /// all points are vertices.
   PathFinder(const SurfaceMesh& mesh, const GraphSearch& search, const GraphBuilder* builder,
     const double* positions);
-  /// Makes a finder that only traces, on a submesh. `isRim` flags the vertices some of whose faces
-  /// are not in the submesh.
+  /// Makes a finder that traces on a submesh; Find() must not be called. `isRim` flags the vertices
+  /// some of whose faces are not in the submesh.
   PathFinder(const SurfaceMesh& mesh, const std::uint8_t* isRim);
   ~PathFinder();
   PathFinder(const PathFinder&) = delete;

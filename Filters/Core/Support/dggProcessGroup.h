@@ -245,7 +245,8 @@ public:
   }
 
   /// Gathers tuples of a vector or a Buffer on the first process, where tuple i of this process
-  /// gets the index order[i]. Elsewhere `values` becomes empty.
+  /// gets the index order[i]. The orders of all processes are a permutation of 0, 1 and so on.
+  /// Elsewhere `values` becomes empty.
   template <typename Values>
   Status Gather(const std::vector<std::size_t>& order, int components, Values& values)
   {

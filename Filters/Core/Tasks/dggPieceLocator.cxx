@@ -64,11 +64,11 @@ Status PieceLocator::Locate(
   for (std::size_t i = 0; i < count && this->ClosestPoints; ++i)
   {
     double distance = Infinity;
-    this->ClosestPoints->FindClosestPoint(sources.GetPosition(i).data(), closest[i], distance);
-    const Offset cell = (*this->CellIds)[GetFirstFace(*this->Mesh, closest[i])];
-    if (cell != NoId)
+    // Not found if the squared distance overflows.
+    if (this->ClosestPoints->FindClosestPoint(sources.GetPosition(i).data(), closest[i], distance))
     {
-      candidates[i] = { distance, cell };
+      const Offset cell = (*this->CellIds)[GetFirstFace(*this->Mesh, closest[i])];
+      candidates[i] = cell == NoId ? Candidate() : Candidate{ distance, cell };
     }
   }
   std::vector<std::vector<Candidate>> all;

@@ -107,8 +107,8 @@ public:
     const PieceSearchOptions& options, PieceDistances& result, bool& isUsable);
 
   ///@{
-  /// Labels for an incremental search, which Run() replaces: without seeds, and lowered by further
-  /// seeds. GetLabels() has one per vertex of this part of the graph.
+  /// Incremental search: ClearLabels() removes all labels, AddSeeds() lowers labels by further
+  /// seeds. GetLabels() has one per vertex of this part of the graph. Run() replaces the labels.
   void ClearLabels();
   Status AddSeeds(ProcessGroup& group, const std::vector<PieceSeed>& seeds);
   const std::vector<double>& GetLabels() const { return this->Distances; }

@@ -190,7 +190,7 @@ Status PieceSurface::CheckFaces(ProcessGroup& group, bool& isUsable)
   }
   DGG_RETURN_IF_ERROR(group.Sum(faces));
   this->MeanEdgeLength = faces.Edges.GetMean();
-  this->AreLong = MayHaveLongTriangles(faces.Anisotropy);
+  this->HasLong = MayHaveLongTriangles(faces.Anisotropy);
   isUsable = facts.IsRegular && facts.Defects.NonManifoldEdges == 0;
   return Status::Success();
 }

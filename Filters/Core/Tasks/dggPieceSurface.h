@@ -52,7 +52,7 @@ public:
   /// Returns 1 per face that belongs to another piece, otherwise 0.
   const std::vector<std::uint8_t>& GetGhosts() const { return this->IsGhost; }
   /// Returns true if the triangles of the entire surface may be too long for a field.
-  bool HasLongTriangles() const { return this->AreLong; }
+  bool HasLongTriangles() const { return this->HasLong; }
   /// Returns the mean edge length of the entire surface.
   double GetMeanEdgeLength() const { return this->MeanEdgeLength; }
 
@@ -87,7 +87,7 @@ private:
   SurfaceArrays Arrays; // of Polygons
   PreparedSurface::Pointer Surface;
   std::vector<std::uint8_t> IsGhost;
-  bool AreLong = false; // triangles
+  bool HasLong = false; // triangles that may be too long for a field
   double MeanEdgeLength = 0.0;
   Offset FirstPoint = 0; // smallest global ids
   Offset FirstCell = 0;

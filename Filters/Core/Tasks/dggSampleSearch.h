@@ -15,7 +15,7 @@ class PreparedSurface;
 struct Output;
 struct TaskContext;
 
-/// Fails if a number is neither that of a point of the input nor -1.
+/// Fails unless `point` is -1 or the id of a point of the input.
 DGG_CORE_EXPORT Status CheckFirstSample(Offset point, Offset numberOfPoints);
 
 /// Sets the first sample: a point of the input, or -1 for an automatic one. Fails if there is no

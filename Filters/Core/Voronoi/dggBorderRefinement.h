@@ -43,8 +43,9 @@ public:
   void Balance(
     Id face, const std::array<Id, 3>& sites, std::array<double, 3>& place, double& distance) const;
 
-  /// Returns true if a point of a border between two sites inside a face is too far from the
-  /// border: the distances from the sites differ by more than 1.5 times the accuracy.
+  /// Returns true if the measured distances from two sites differ by more than 1.5 times the
+  /// accuracy at a border point inside a face. Only points where predictions differ by more than
+  /// twice the accuracy are measured.
   bool IsWrong(Id face, const std::array<Id, 2>& sites, const std::array<double, 3>& place,
     double distance) const;
 

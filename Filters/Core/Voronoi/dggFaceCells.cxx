@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <tuple>
 #include <utility>
 
 namespace dgg
@@ -214,8 +215,9 @@ void FaceCells::CheckBorders(Id face)
       before = &point;
     }
   }
-  std::sort(
-    sides.begin(), sides.end(), [](const Side& a, const Side& b) { return a.Ends < b.Ends; });
+  std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
+    return std::tie(a.Ends, a.Cell->Site) < std::tie(b.Ends, b.Cell->Site);
+  });
   for (std::size_t i = 0; i + 1 < sides.size() && !this->Diagram.AreBordersWrong; ++i)
   {
     const Side& side = sides[i];
@@ -492,13 +494,15 @@ CellPoint FaceCells::PointInside(
   return this->Refined.back();
 }
 
-/// Returns the distance of a point in the face from one of the sites, as interpolated.
+/// Returns the interpolated distance of a point in the face from a site.
 double FaceCells::MeasureAt(Id face, Id site, const Coordinates& place) const
 {
   const auto found = std::find_if(this->Sites.begin(), this->Sites.end(),
     [site](const Site& candidate) { return candidate.Number == site; });
   const double common = CommonPart(this->Mesh, face, place);
-  return std::sqrt(std::max(0.0, Apply(found->Values, place) + common));
+  return found == this->Sites.end()
+    ? Infinity
+    : std::sqrt(std::max(0.0, Apply(found->Values, place) + common));
 }
 
 /// Adds a cell with the given points, without consecutive duplicates. Skipped if it has no area.

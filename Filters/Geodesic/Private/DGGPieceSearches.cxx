@@ -13,6 +13,12 @@
 
 #include <type_traits>
 
+namespace
+{
+/// Progress after the preparation of searches.
+constexpr double PreparedAt = 0.5;
+}
+
 //------------------------------------------------------------------------------
 dgg::Status DGGPieceSearches::Prepare(const DGGContext& context, const DGGPieceUpdate& update,
   Needs needs, DGGGraphUser& user, vtkObject* filter, bool& isDone)
@@ -20,7 +26,9 @@ dgg::Status DGGPieceSearches::Prepare(const DGGContext& context, const DGGPieceU
   dgg::ProcessGroup& group = update.Group;
   bool isPrepared = this->IsKept;
   this->IsKept = false; // unless this update succeeds
-  DGG_RETURN_IF_ERROR(user.UpdatePiece(context, group, update.Piece, filter, isDone));
+  DGGContext building = context;
+  building.Progress = dgg::ProgressPart(context.Progress, 0.0, PreparedAt);
+  DGG_RETURN_IF_ERROR(user.UpdatePiece(building, group, update.Piece, filter, isDone));
   if (!isDone)
   {
     return dgg::Status::Success();
@@ -31,6 +39,7 @@ dgg::Status DGGPieceSearches::Prepare(const DGGContext& context, const DGGPieceU
   DGG_RETURN_IF_ERROR(group.TakeFromFirst(this->Accuracy));
   isPrepared = isPrepared && this->Key == graph.GetKey();
   DGG_RETURN_IF_ERROR(group.Require(isPrepared));
+  this->Done = isPrepared ? 0.0 : PreparedAt;
   if (!isPrepared)
   {
     this->Search.reset();

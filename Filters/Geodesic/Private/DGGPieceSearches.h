@@ -5,6 +5,7 @@
 #ifndef DGGPieceSearches_h
 #define DGGPieceSearches_h
 
+#include "DGGContext.h"     // for the context
 #include "DGGGraphArrays.h" // for the key of the graph
 #include "DGGSources.h"     // for sources
 
@@ -12,6 +13,7 @@
 #include "dggPieceSearch.h"         // for the search
 #include "dggPieceSurface.h"        // for the surface
 #include "dggPieceVirtualSources.h" // for virtual sources
+#include "dggProgressPart.h"        // for the remaining progress
 
 #include "vtkSmartPointer.h" // for joined points
 
@@ -36,6 +38,12 @@ public:
   /// must be gathered, among others if global ids do not number the points.
   dgg::Status Prepare(const DGGContext& context, const DGGPieceUpdate& update, Needs needs,
     DGGGraphUser& user, vtkObject* filter, bool& isDone);
+  /// Returns the context of a task after Prepare(), with the remaining progress.
+  DGGContext MakeContext(DGGContext context) const
+  {
+    context.Progress = dgg::ProgressPart(context.Progress, this->Done, 1.0);
+    return context;
+  }
   /// Keeps the searches. Must be called at the end of an update, and only if it succeeds.
   void Keep(DGGGraphUser& user, vtkObject* filter);
 
@@ -57,6 +65,7 @@ private:
   std::unique_ptr<dgg::PieceSurface> Surface;
   DGGGraphArrays::Key Key; // of the graph
   double Accuracy = 0.0;
+  double Done = 0.0; // progress after Prepare()
   bool IsKept = false;
 };
 
