@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <limits>
 #include <tuple>
 
@@ -13,6 +14,9 @@ namespace dgg
 {
 namespace
 {
+/// Number of positions about which processes exchange messages at a time.
+constexpr std::size_t BlockSize = 65536;
+
 /// Closest point of a position, if it is in a cell of this process.
 struct Candidate
 {
@@ -59,39 +63,44 @@ Status PieceLocator::Locate(
   ProcessGroup& group, const SourceCollection& sources, double tolerance, PiecePoints& here) const
 {
   const std::size_t count = sources.GetNumberOfPositions();
-  std::vector<Candidate> candidates(count);
-  std::vector<SurfacePoint> closest(count);
-  for (std::size_t i = 0; i < count && this->ClosestPoints; ++i)
-  {
-    double distance = Infinity;
-    // Not found if the squared distance overflows.
-    if (this->ClosestPoints->FindClosestPoint(sources.GetPosition(i).data(), closest[i], distance))
-    {
-      const Offset cell = (*this->CellIds)[GetFirstFace(*this->Mesh, closest[i])];
-      candidates[i] = cell == NoId ? Candidate() : Candidate{ distance, cell };
-    }
-  }
-  std::vector<std::vector<Candidate>> all;
-  DGG_RETURN_IF_ERROR(group.ShareList(candidates, all));
   const double diagonal = this->SurfaceBox.GetDiagonal();
   std::size_t firstFar = count; // of the positions here that are too far away
   double farDistance = 0.0;
-  for (std::size_t i = 0; i < count; ++i)
+  for (std::size_t begin = 0; begin < count; begin += BlockSize)
   {
-    const auto best = std::min_element(
-      all.begin(), all.end(), [&](const auto& a, const auto& b) { return a[i] < b[i]; });
-    if (best - all.begin() != group.Here)
+    const std::size_t size = std::min(BlockSize, count - begin);
+    std::vector<Candidate> candidates(size);
+    std::vector<SurfacePoint> closest(size);
+    for (std::size_t i = 0; i < size && this->ClosestPoints; ++i)
     {
-      continue;
+      double distance = Infinity;
+      // Not found if the squared distance overflows.
+      if (this->ClosestPoints->FindClosestPoint(
+            sources.GetPosition(begin + i).data(), closest[i], distance))
+      {
+        const Offset cell = (*this->CellIds)[GetFirstFace(*this->Mesh, closest[i])];
+        candidates[i] = cell == NoId ? Candidate() : Candidate{ distance, cell };
+      }
     }
-    here.Add(i, closest[i]);
-    const double distance = (*best)[i].Distance;
-    const bool isClose =
-      this->ClosestPoints && this->ClosestPoints->IsClose({}, distance, tolerance * diagonal);
-    if (!isClose && firstFar == count)
+    std::vector<std::vector<Candidate>> all;
+    DGG_RETURN_IF_ERROR(group.ShareList(candidates, all));
+    for (std::size_t i = 0; i < size; ++i)
     {
-      firstFar = i;
-      farDistance = distance;
+      const auto best = std::min_element(
+        all.begin(), all.end(), [&](const auto& a, const auto& b) { return a[i] < b[i]; });
+      if (best - all.begin() != group.Here)
+      {
+        continue;
+      }
+      here.Add(begin + i, closest[i]);
+      const double distance = (*best)[i].Distance;
+      const bool isClose =
+        this->ClosestPoints && this->ClosestPoints->IsClose({}, distance, tolerance * diagonal);
+      if (!isClose && firstFar == count)
+      {
+        firstFar = begin + i;
+        farDistance = distance;
+      }
     }
   }
   std::vector<std::size_t> far;
