@@ -125,6 +125,27 @@ TEST_P(IsolinesInPieces, AreTheSame)
   });
 }
 
+//------------------------------------------------------------------------------
+/// Windows are on the first process, even if its piece is empty.
+TEST_P(IsolinesInPieces, AreTheSameWithWindows)
+{
+  const auto search = [](auto* filter) {
+    filter->SetAccuracy(0.001);
+    filter->SetSourceIds({ 5 });
+    filter->GenerateVirtualSourceOn();
+  };
+  const auto prepare = [](auto* filter) { filter->GenerateValues(5, 0.1, 0.9); };
+  const auto alone = Alone<vtkDGGDistance>(this->Surface, search);
+  const auto distance = this->Together<vtkDGGDistance>(this->TakePiece(this->Surface), search);
+  const auto expected = Alone<vtkApolloniusIsolines>(alone->GetOutput(), prepare);
+  ASSERT_TRUE(expected->GetUsedWindows());
+  const auto gathered = this->Together<vtkApolloniusIsolines>(distance->GetOutput(), prepare);
+  if (this->IsFirst())
+  {
+    EXPECT_EQ(GetSegments(gathered->GetOutput()), GetSegments(expected->GetOutput()));
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Divisions, IsolinesInPieces, testing::ValuesIn(divisions),
   [](const auto& tested) { return tested.param.Name; });
 

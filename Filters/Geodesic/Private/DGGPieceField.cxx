@@ -5,15 +5,15 @@
 #include "DGGFieldInput.h"
 #include "DGGFilterInternals.h"
 #include "DGGSurfaceArrays.h"
-#include "DGGWindowArrays.h"
 
 #include "dggDistanceOutput.h"
-#include "dggEdgeWindows.h"
 #include "dggInputArray.h"
 #include "dggPieceGraph.h"
 #include "dggProcessGroup.h"
+#include "dggStoredWindows.h"
 
 #include "vtkDataArray.h"
+#include "vtkFieldData.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkSmartPointer.h"
@@ -26,13 +26,15 @@ namespace
 /// virtual sources that vtkDGGDistance has found: a bound of rounding errors.
 constexpr double LargestRounding = 1e-6;
 
-bool HasWindows(const DGGContext& context, vtkDataArray* distances)
+/// Returns true if there are windows of the distances with a name, valid or not.
+bool HasWindows(vtkFieldData* data, const std::string& name)
 {
-  dgg::EdgeWindows windows;
-  std::string complaint;
-  return DGGWindowArrays::Find(
-           context.Input->GetFieldData(), distances, context.Surface, windows, complaint) ||
-    !complaint.empty();
+  bool has = false;
+  for (int role = 0; role < dgg::StoredWindows::NumberOfRoles; ++role)
+  {
+    has = has || data->HasArray(dgg::StoredWindows::GetName(name, role).c_str());
+  }
+  return has;
 }
 }
 
@@ -48,17 +50,17 @@ dgg::Status DGGPieceField::Update(const DGGContext& context, const DGGPieceUpdat
   DGG_RETURN_IF_ERROR(this->Prepare(update, isDone));
   if (isDone)
   {
-    isDone = DGGFindDistances(filter, options.Distances, piece, distances).IsOk() &&
-      (options.IsLinear || !HasWindows(context, distances));
-    isDone = isDone || piece->GetNumberOfPoints() == 0;
+    isDone = DGGFindDistances(filter, options.Distances, piece, distances).IsOk() ||
+      piece->GetNumberOfPoints() == 0;
+    this->Name =
+      distances ? DGGGetDistanceName(distances) : DGGGetDistanceName(filter, options.Distances);
+    isDone = isDone && (options.IsLinear || !HasWindows(piece->GetFieldData(), this->Name));
     DGG_RETURN_IF_ERROR(group.Require(isDone));
   }
   if (!isDone)
   {
     return dgg::Status::Success();
   }
-  this->Name =
-    distances ? DGGGetDistanceName(distances) : DGGGetDistanceName(filter, options.Distances);
   const std::string marks = dgg::GetUnreachedName(this->Name);
   this->MakeInput(piece);
   DGG_RETURN_IF_ERROR(this->AddArray(update, distances, this->Name, 1, true, isDone));
