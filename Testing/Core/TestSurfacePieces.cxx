@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -108,6 +109,13 @@ TEST(SurfacePieces, EqualGlobalIdsAtDifferentPositionsAreRefused)
   dgg::PieceNumbering joined;
   const dgg::Status status = dgg::JoinSurfacePieces({ lower.Get(), upper.Get() }, joined);
   EXPECT_NE(status.GetProblem().find("global id"), std::string::npos);
+
+  Triangles first = LowerHalf();
+  Triangles second = LowerHalf();
+  first.PointIds = second.PointIds = { 0, 1, 2 };
+  second.Points[0] = std::numeric_limits<double>::quiet_NaN();
+  const dgg::Status ofNaN = dgg::JoinSurfacePieces({ first.Get(), second.Get() }, joined);
+  EXPECT_NE(ofNaN.GetProblem().find("global id"), std::string::npos);
 }
 
 TEST(SurfacePieces, EqualCellsAreJoined)

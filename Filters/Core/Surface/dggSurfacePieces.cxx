@@ -75,7 +75,8 @@ Status JoinGlobalIds(
       first[other.Piece] + static_cast<Id>(other.Index));
     const Point3 a = GetPosition(pieces, one);
     const Point3 b = GetPosition(pieces, other);
-    if (std::hypot(a.X - b.X, a.Y - b.Y, a.Z - b.Z) > IdTolerance * box.GetDiagonal())
+    if (IsFinite(a) != IsFinite(b) ||
+      std::hypot(a.X - b.X, a.Y - b.Y, a.Z - b.Z) > IdTolerance * box.GetDiagonal())
     {
       return InvalidInput("Two points have the global id ", elements[k].GlobalId, ", one at (", a.X,
         ", ", a.Y, ", ", a.Z, ") and one at (", b.X, ", ", b.Y, ", ", b.Z, ")")
