@@ -111,6 +111,22 @@ std::vector<double> ReferenceDistances(
   return GraphDistances(graph, sources);
 }
 
+std::vector<Id> FindSmallestTails(const dgg::GraphView& graph, const std::vector<double>& distances)
+{
+  std::vector<Id> tails(distances.size(), dgg::NoId);
+  for (Id u = 0; u < graph.NumberOfVertices; ++u)
+  {
+    for (dgg::Offset e = graph.Offsets[u]; e < graph.Offsets[u + 1]; ++e)
+    {
+      const Id v = graph.Targets[e];
+      const bool isShortest = distances[v] < dgg::Infinity && distances[u] < distances[v] &&
+        distances[u] + graph.Length(e) == distances[v];
+      tails[v] = isShortest && tails[v] == dgg::NoId ? u : tails[v];
+    }
+  }
+  return tails;
+}
+
 void ExpectSameDistances(
   const std::vector<double>& expected, const std::vector<double>& actual, const std::string& what)
 {
@@ -129,18 +145,7 @@ void ExpectConsistentTree(const dgg::GraphView& graph, const std::vector<dgg::Gr
   ASSERT_EQ(result.Seeds.size(), n) << what;
   ASSERT_EQ(result.Edges.size(), n) << what;
   ASSERT_EQ(result.Tails.size(), n) << what;
-  std::vector<Id> firstTails(n, dgg::NoId); // of the paths as long as the label
-  for (Id u = 0; u < graph.NumberOfVertices; ++u)
-  {
-    for (dgg::Offset e = graph.Offsets[u]; e < graph.Offsets[u + 1]; ++e)
-    {
-      const Id v = graph.Targets[e];
-      const double label = result.Distances[v];
-      const bool isShortest = label < dgg::Infinity && result.Distances[u] < label &&
-        result.Distances[u] + graph.Length(e) == label;
-      firstTails[v] = isShortest && firstTails[v] == dgg::NoId ? u : firstTails[v];
-    }
-  }
+  const std::vector<Id> tails = FindSmallestTails(graph, result.Distances);
   for (std::size_t v = 0; v < n; ++v)
   {
     const Id seed = result.Seeds[v];
@@ -162,7 +167,7 @@ void ExpectConsistentTree(const dgg::GraphView& graph, const std::vector<dgg::Gr
       continue;
     }
     const Id tail = result.Tails[v];
-    ASSERT_EQ(tail, firstTails[v]) << what << ": vertex " << v;
+    ASSERT_EQ(tail, tails[v]) << what << ": vertex " << v;
     ASSERT_GE(edge, graph.Offsets[tail]) << what;
     ASSERT_LT(edge, graph.Offsets[tail + 1]) << what;
     ASSERT_EQ(graph.Targets[edge], static_cast<Id>(v)) << what;

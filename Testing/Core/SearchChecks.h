@@ -55,6 +55,11 @@ dgg::GraphView AsCloud(dgg::GraphView graph);
 std::vector<double> ReferenceDistances(
   const dgg::GraphView& graph, const std::vector<dgg::GraphSeed>& seeds);
 
+/// Returns the smallest tail of the last edges of all shortest paths to each vertex, given the
+/// distances of a search; NoId if no edge ends a shortest path.
+std::vector<Id> FindSmallestTails(
+  const dgg::GraphView& graph, const std::vector<double>& distances);
+
 /// Expects equal fields.
 void ExpectSameDistances(
   const std::vector<double>& expected, const std::vector<double>& actual, const std::string& what);

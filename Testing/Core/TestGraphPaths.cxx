@@ -117,6 +117,30 @@ void ExpectShortest(SearchCase& c, const std::vector<std::pair<Seeds, Seeds>>& p
   }
 }
 
+/// Returns the vertices of the path in the search tree that ends, of equally near seeds, at the
+/// smallest vertex.
+std::vector<Id> FindTreePath(const dgg::GraphView& graph, const Seeds& from, const Seeds& to)
+{
+  const std::vector<double> distances = ReferenceDistances(graph, from);
+  const std::vector<Id> tails = FindSmallestTails(graph, distances);
+  const auto order = [&](const GraphSeed& seed) {
+    return std::make_pair(distances[seed.Vertex] + seed.Distance, seed.Vertex);
+  };
+  std::vector<Id> path{ std::min_element(
+    to.begin(), to.end(), [&](const GraphSeed& a, const GraphSeed& b) {
+      return order(a) < order(b);
+    })->Vertex };
+  const auto isStart = [&](const GraphSeed& seed) {
+    return seed.Vertex == path.back() && seed.Distance == distances[seed.Vertex];
+  };
+  while (std::none_of(from.begin(), from.end(), isStart))
+  {
+    path.push_back(tails[path.back()]);
+  }
+  std::reverse(path.begin(), path.end());
+  return path;
+}
+
 dgg::Landmarks LandmarksOf(const SearchCase& c)
 {
   const dgg::GraphView graph = c.GetGraph();
@@ -164,6 +188,38 @@ TEST(GraphPaths, PointsInFacesAgreeWithDijkstra)
       pairs.emplace_back(points[i], points[i + 1]);
     }
     ExpectShortest(c, pairs);
+  }
+}
+
+/// Of equally short paths, of which a grid has many, the path of the search tree is found with and
+/// without each of the guides.
+TEST(GraphPaths, OfEqualLengthAreThoseOfTheTree)
+{
+  SearchCase c("grid", Plane(16, 12), 0.3);
+  const Id n = c.GetNumberOfVertices();
+  Random random(11);
+  std::vector<std::pair<Seeds, Seeds>> pairs{ { { SeedAt(n / 2) },
+    { SeedAt(n - 1), SeedAt(16), SeedAt(n - 17), SeedAt(0) } } };
+  for (int i = 0; i < 100; ++i)
+  {
+    pairs.push_back({ { SeedAt(random.Index(n)) }, { SeedAt(random.Index(n)) } });
+    pairs.push_back({ { SeedAt(random.Index(n)), SeedAt(random.Index(n), 1.0) },
+      { SeedAt(random.Index(n), 1.0), SeedAt(random.Index(n)) } });
+  }
+  for (const bool withLandmarks : { false, true })
+  {
+    ASSERT_TRUE(!withLandmarks || c.GetSearch().PrepareLandmarks(nullptr, nullptr).IsOk());
+    for (const double* positions : { PositionsOf(c), static_cast<const double*>(nullptr) })
+    {
+      for (const auto& [from, to] : pairs)
+      {
+        GraphPath path;
+        ASSERT_TRUE(c.GetSearch().Between(from, to, positions, path).IsOk());
+        ExpectPath(c.GetGraph(), from, to, path);
+        EXPECT_EQ(path.Vertices, FindTreePath(c.GetGraph(), from, to))
+          << (withLandmarks ? "with landmarks" : "") << (positions ? ", with positions" : "");
+      }
+    }
   }
 }
 
