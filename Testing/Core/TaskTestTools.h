@@ -8,6 +8,7 @@
 #include "GraphChecks.h"
 #include "TestMeshes.h"
 
+#include "dggGraphSession.h"
 #include "dggPreparedSurface.h"
 #include "dggStoredGraph.h"
 #include "dggTaskContext.h"
@@ -109,6 +110,19 @@ struct GraphWorld
   dgg::GeodesicGraph Graph;
   std::vector<double> Radii;
 };
+
+inline dgg::PreparedGraph::Pointer MakeGraph(const GraphWorld& world, std::uintptr_t key = 1)
+{
+  return dgg::PreparedGraph::Make(world.Store(), { key }, nullptr, *world.Surface);
+}
+
+inline dgg::GraphSession StartSession(const GraphWorld& world)
+{
+  dgg::GraphSession session;
+  session.Start(*world.Surface);
+  session.Use(MakeGraph(world));
+  return session;
+}
 
 /// Returns an L of three points at distance 1, and a point that no edge reaches.
 inline TestMesh CornerCloud()

@@ -48,19 +48,6 @@ double TrueDistance(
   const auto q = PositionOf(surface.GetMesh(), b, surface.GetPositions());
   return (p[0] < 10.0) == (q[0] < 10.0) ? std::hypot(p[0] - q[0], p[1] - q[1]) : dgg::Infinity;
 }
-
-dgg::PreparedGraph::Pointer MakeGraph(const GraphWorld& world, std::uintptr_t key = 1)
-{
-  return dgg::PreparedGraph::Make(world.Store(), { key }, nullptr, *world.Surface);
-}
-
-GraphSession StartSession(const GraphWorld& world)
-{
-  GraphSession session;
-  session.Start(*world.Surface);
-  session.Use(MakeGraph(world));
-  return session;
-}
 }
 
 TEST(GraphSession, KeepsTheGraphOfEqualSurfacesOnly)

@@ -4,12 +4,15 @@
 #include "GeodesicChecks.h"
 #include "PathChecks.h"
 #include "SearchChecks.h"
+#include "TaskTestTools.h"
 #include "TestMeshes.h"
 
 #include "dggCentroidal.h"
 #include "dggExactGeodesics.h"
+#include "dggMeshQuality.h"
 #include "dggSurfacePath.h"
 #include "dggVoronoi.h"
+#include "dggVoronoiTask.h"
 #include "dggWindowCells.h"
 
 namespace dggtest
@@ -508,6 +511,33 @@ TEST(Voronoi, RefinedWhereFacesAreLarge)
   const VoronoiDiagram diagram = DiagramOf(fine, sites, coarse);
   EXPECT_LT(LargestDifference(fine.GetMesh(), diagram, sites), 2.0 * coarse);
   EXPECT_FALSE(diagram.AreBordersWrong);
+}
+
+/// Cells are exact where borders of the graph are wrong although no triangles are coarse.
+TEST(Voronoi, ExactWhereBordersAreWrong)
+{
+  const double accuracy = 0.03;
+  const TestMesh box = Box(8, 8, 8, 1.0, 1.3, 0.8);
+  const SearchCase c("box", box, accuracy);
+  const Sites sites = RandomSurfacePoints(c.GetMesh(), 3, 1);
+  const VoronoiDiagram diagram = DiagramOf(c, sites, accuracy);
+  const GraphWorld world(box, accuracy);
+  ASSERT_TRUE(diagram.AreBordersWrong);
+  ASSERT_FALSE(
+    dgg::HasCoarseTriangles(*world.Surface, accuracy, diagram.Distances, dgg::ErrorAtBorders));
+  dgg::VoronoiResult result;
+  for (const SurfacePoint& site : sites)
+  {
+    result.Sites.push_back({ site, 0.0 });
+  }
+  dgg::VoronoiOptions options;
+  options.IsRefined = true;
+  dgg::GraphSession session = StartSession(world);
+  ASSERT_TRUE(Ok(dgg::FindVoronoiCells(world.MakeContext(), session, options, result)));
+  EXPECT_TRUE(result.QualityWarning.empty());
+  ExpectWellFormed(c.GetMesh(), result.Diagram, 3, "box");
+  EXPECT_GT(LargestDifference(c.GetMesh(), diagram, sites), accuracy);
+  EXPECT_LT(LargestDifference(c.GetMesh(), result.Diagram, sites), 1e-4);
 }
 
 TEST(Voronoi, AroundACylinder)
