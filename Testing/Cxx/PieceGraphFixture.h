@@ -23,6 +23,16 @@ inline std::vector<double> GetValues(vtkPolyData* data, const char* name)
   return values;
 }
 
+/// Returns messages without the addresses of filters.
+inline std::vector<std::string> StripAddresses(std::vector<std::string> messages)
+{
+  for (std::string& message : messages)
+  {
+    message.erase(0, message.find("): "));
+  }
+  return messages;
+}
+
 /// A rule that assigns cells to pieces.
 struct Division
 {
@@ -115,6 +125,38 @@ protected:
     vtkIdType sum = 0;
     this->Controller->AllReduce(&here, &sum, 1, vtkCommunicator::SUM_OP);
     return sum;
+  }
+
+  /// Expects that the update of all processes ends if the last process aborts at one of these
+  /// values of its progress or has a memory limit that is too low. `expectOutput` checks the output
+  /// of the next update.
+  template <typename Filter, typename Expect>
+  void ExpectRecovery(Filter* filter, const std::vector<double>& stops, const Expect& expectOutput)
+  {
+    const bool isLast = this->Here == this->Count - 1;
+    const Listener listener(filter);
+    ProgressWatch watch(filter);
+    for (const double stopAt : stops)
+    {
+      watch.StopAt = isLast ? stopAt : 2.0;
+      filter->Modified();
+      this->Update(filter);
+      EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0) << stopAt;
+      watch.StopAt = 2.0;
+      this->Update(filter);
+      expectOutput();
+    }
+    EXPECT_TRUE(listener.Errors.empty()) << listener.Errors[0];
+    filter->SetMemoryLimit(isLast ? 1 : 0);
+    filter->Modified();
+    this->Update(filter);
+    EXPECT_EQ(listener.Errors.size(), 1u);
+    EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);
+    filter->SetMemoryLimit(0);
+    filter->Modified();
+    this->Update(filter);
+    expectOutput();
+    EXPECT_EQ(listener.Errors.size(), 1u);
   }
 
   /// Expects that the rows of a piece are rows of a graph, bit by bit, and that each row is in one

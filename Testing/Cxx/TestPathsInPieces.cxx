@@ -36,11 +36,24 @@ std::vector<std::pair<std::string, std::vector<double>>> GetContents(vtkPolyData
   return contents;
 }
 
+/// Expects equal contents, bit by bit.
+void ExpectSameContents(vtkPolyData* output, vtkPolyData* expected)
+{
+  const auto contents = GetContents(output);
+  const auto values = GetContents(expected);
+  ASSERT_EQ(contents.size(), values.size());
+  for (std::size_t i = 0; i < contents.size(); ++i)
+  {
+    EXPECT_EQ(contents[i].first, values[i].first);
+    EXPECT_TRUE(contents[i].second == values[i].second) << contents[i].first;
+  }
+}
+
 class PathsInPieces : public DividedSurface
 {
 protected:
-  /// Expects that the paths are those of a single process, bit by bit, and that the pieces are
-  /// not gathered.
+  /// Expects that paths and warnings are those of a single process, bit by bit, and that the pieces
+  /// are not gathered.
   template <typename Prepare>
   void ExpectPaths(vtkPolyData* piece, vtkPolyData* surface, const Prepare& prepare)
   {
@@ -58,15 +71,14 @@ protected:
       EXPECT_EQ(together->GetOutput()->GetNumberOfPoints(), 0);
       return;
     }
-    const auto alone = Alone<vtkDGGPath>(surface, prepare);
-    const auto expected = GetContents(alone->GetOutput());
-    const auto contents = GetContents(together->GetOutput());
-    ASSERT_EQ(contents.size(), expected.size());
-    for (std::size_t i = 0; i < contents.size(); ++i)
-    {
-      EXPECT_EQ(contents[i].first, expected[i].first);
-      EXPECT_TRUE(contents[i].second == expected[i].second) << contents[i].first;
-    }
+    vtkNew<vtkDGGPath> alone;
+    alone->SetController(nullptr);
+    alone->SetInputData(surface);
+    prepare(alone.Get());
+    const Listener expected(alone);
+    alone->Update();
+    EXPECT_EQ(StripAddresses(listener.Warnings), StripAddresses(expected.Warnings));
+    ExpectSameContents(together->GetOutput(), alone->GetOutput());
     EXPECT_EQ(together->GetNumberOfFallbacks(), alone->GetNumberOfFallbacks());
   }
 };
@@ -117,5 +129,41 @@ TEST_P(PathsInPieces, AreTheSameOnPlanes)
   });
 }
 
+//------------------------------------------------------------------------------
+/// If no pair is connected, there are no paths, and the first process has the warning of a single
+/// process.
+TEST_P(PathsInPieces, AreTheSameBetweenComponents)
+{
+  const auto surface = Beside(this->Surface, MakeTerrain(15), 2.0);
+  const vtkIdType last = surface->GetNumberOfPoints() - 1;
+  this->ExpectPaths(this->TakePiece(surface), surface, [&](vtkDGGPath* filter) {
+    filter->SetAccuracy(0.1);
+    filter->AddPair(0, last);
+    filter->AddPair(last - 7, 500);
+  });
+}
+
 INSTANTIATE_TEST_SUITE_P(Divisions, PathsInPieces, testing::ValuesIn(divisions),
   [](const auto& tested) { return tested.param.Name; });
+
+//------------------------------------------------------------------------------
+/// An abort or a failure of one process ends the update of all, and the next update gives the paths
+/// of a single process.
+TEST_F(PieceGraph, PathsAfterFailures)
+{
+  const auto prepare = [](vtkDGGPath* filter) {
+    filter->SetAccuracy(0.05);
+    filter->AddPair(0, 1088);
+    filter->AddPair(500, 700);
+  };
+  const auto alone = Alone<vtkDGGPath>(this->Surface, prepare);
+  const auto together =
+    this->Together<vtkDGGPath>(this->TakeStrip(this->Surface, PartIds::Global), prepare);
+  EXPECT_EQ(this->Sum(together->GetNumberOfGraphEdges()), alone->GetNumberOfGraphEdges());
+  this->ExpectRecovery(together.Get(), { 0.2, 0.5 }, [&] {
+    if (this->IsFirst())
+    {
+      ExpectSameContents(together->GetOutput(), alone->GetOutput());
+    }
+  });
+}

@@ -24,16 +24,6 @@ struct FilterCase
   std::function<void(Filter*)> Prepare;
 };
 
-/// Returns messages without the addresses of filters.
-std::vector<std::string> StripAddresses(std::vector<std::string> messages)
-{
-  for (std::string& message : messages)
-  {
-    message.erase(0, message.find("): "));
-  }
-  return messages;
-}
-
 /// Returns the values of an array, with a number in place of NaN; empty without an array.
 std::vector<double> GetNumbers(vtkDataArray* array)
 {
@@ -206,31 +196,11 @@ INSTANTIATE_TEST_SUITE_P(Divisions, PointsInPieces, testing::ValuesIn(divisions)
 /// points of a single process.
 TEST_F(PieceGraph, PointsAfterFailures)
 {
-  const bool isLast = this->Here == this->Count - 1;
   const auto expectPoints = [&](auto* filter, auto* expected) {
-    this->Update(filter);
-    ExpectSamePoints(
-      filter->GetOutput(), this->IsFirst() ? expected->GetOutput() : vtkNew<vtkPolyData>().Get());
-  };
-  const auto expectRecovery = [&](auto* filter, auto* expected) {
-    ProgressWatch watch(filter);
-    for (const double stopAt : { 0.2, 0.5 })
-    {
-      watch.StopAt = isLast ? stopAt : 2.0;
-      filter->Modified();
-      this->Update(filter);
-      EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0) << stopAt;
-      watch.StopAt = 2.0;
-      expectPoints(filter, expected);
-    }
-    const Listener listener(filter);
-    filter->SetMemoryLimit(isLast ? 1 : 0);
-    filter->Modified();
-    this->Update(filter);
-    EXPECT_EQ(listener.Errors.size(), 1u);
-    filter->SetMemoryLimit(0);
-    filter->Modified();
-    expectPoints(filter, expected);
+    this->ExpectRecovery(filter, { 0.2, 0.5 }, [&] {
+      ExpectSamePoints(
+        filter->GetOutput(), this->IsFirst() ? expected->GetOutput() : vtkNew<vtkPolyData>().Get());
+    });
   };
   const auto piece = this->TakeStrip(this->Surface, PartIds::Global);
   const auto sample = [](auto* filter) {
@@ -239,7 +209,7 @@ TEST_F(PieceGraph, PointsAfterFailures)
   };
   const auto samples = Alone<vtkGeodesicSampler>(this->Surface, sample);
   const auto sampler = this->Together<vtkGeodesicSampler>(piece, sample);
-  expectRecovery(sampler.Get(), samples.Get());
+  expectPoints(sampler.Get(), samples.Get());
   EXPECT_EQ(this->Sum(sampler->GetNumberOfGraphEdges()), samples->GetNumberOfGraphEdges());
   const auto search = [](auto* filter) {
     filter->SetAccuracy(0.05);
@@ -249,7 +219,7 @@ TEST_F(PieceGraph, PointsAfterFailures)
   const auto probe = [&](auto* filter) { filter->SetProbeData(MakePointsOfCells(this->Surface)); };
   const auto distances = Alone<vtkDGGDistance>(this->Surface, search);
   const auto distance = this->Together<vtkDGGDistance>(piece, search);
-  expectRecovery(this->Together<vtkGeodesicProbe>(distance->GetOutput(), probe).Get(),
+  expectPoints(this->Together<vtkGeodesicProbe>(distance->GetOutput(), probe).Get(),
     Alone<vtkGeodesicProbe>(distances->GetOutput(), probe).Get());
 }
 
