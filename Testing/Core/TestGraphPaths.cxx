@@ -223,6 +223,24 @@ TEST(GraphPaths, OfEqualLengthAreThoseOfTheTree)
   }
 }
 
+/// Without reverse edges, any of several shortest paths is found.
+TEST(GraphPaths, InADirectedGraph)
+{
+  const dgg::Offset offsets[] = { 0, 2, 2, 2 };
+  const Id targets[] = { 2, 1 };
+  const float lengths[] = { 1.0F, 1.0F };
+  dgg::GraphView graph;
+  graph.NumberOfVertices = 3;
+  graph.Offsets = offsets;
+  graph.Targets = targets;
+  graph.Lengths = lengths;
+  const Seeds from{ SeedAt(0) };
+  const Seeds to{ SeedAt(1), SeedAt(2) };
+  GraphPath path;
+  ASSERT_TRUE(dgg::GraphSearch(graph, nullptr).Between(from, to, nullptr, path).IsOk());
+  ExpectPath(graph, from, to, path);
+}
+
 TEST(GraphPaths, BetweenComponentsThereAreNone)
 {
   SearchCase c("components", SeveralComponents(), 0.05);

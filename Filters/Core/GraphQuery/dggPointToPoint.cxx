@@ -315,7 +315,7 @@ Offset PointToPoint::FindEdgeTo(const GraphView& graph, const Length* lengths, I
     return this->Distances[t] < this->Distances[v] &&
       this->Distances[t] + lengths[e] == this->Distances[v];
   };
-  Offset edge = this->Labels[v].Edge;
+  Offset edge = -1;
   tail = std::numeric_limits<Id>::max();
   for (Offset back = graph.Offsets[v]; back < graph.Offsets[v + 1]; ++back)
   {
@@ -329,7 +329,6 @@ Offset PointToPoint::FindEdgeTo(const GraphView& graph, const Length* lengths, I
       }
     }
   }
-  tail = tail == std::numeric_limits<Id>::max() ? this->Labels[v].Tail : tail; // no reverse edge
   return edge;
 }
 
@@ -346,23 +345,37 @@ void PointToPoint::CollectPath(const GraphView& graph, const Length* lengths,
   {
     return;
   }
-  Id v = this->End;
+  Id end = this->End;
   for (const GraphSeed& seed : *this->To)
   {
     const bool isReached = this->Distances[seed.Vertex] + seed.Distance == this->Best;
-    v = isReached ? std::min(v, seed.Vertex) : v;
+    end = isReached ? std::min(end, seed.Vertex) : end;
   }
-  path.ToSeed = this->Labels[v].Goal;
-  path.Vertices.push_back(v);
+  Id v = end;
   const auto isSeed = [&](const GraphSeed& seed) {
     return seed.Vertex == v && seed.Distance == this->Distances[v];
   };
+  path.Vertices.push_back(v);
   auto seed = from.begin();
+  bool isSymmetric = true; // the graph; otherwise only the path of the labels is known
   while ((seed = std::find_if(from.begin(), from.end(), isSeed)) == from.end())
   {
-    path.Edges.push_back(this->FindEdgeTo(graph, lengths, v, v));
+    Id tail = this->Labels[v].Tail;
+    const Offset edge =
+      isSymmetric ? this->FindEdgeTo(graph, lengths, v, tail) : this->Labels[v].Edge;
+    if (edge < 0 && isSymmetric)
+    {
+      isSymmetric = false;
+      v = end = this->End;
+      path.Edges.clear();
+      path.Vertices.assign(1, v);
+      continue;
+    }
+    v = tail;
+    path.Edges.push_back(edge);
     path.Vertices.push_back(v);
   }
+  path.ToSeed = this->Labels[end].Goal;
   path.FromSeed = static_cast<Id>(seed - from.begin());
   std::reverse(path.Vertices.begin(), path.Vertices.end());
   std::reverse(path.Edges.begin(), path.Edges.end());
