@@ -22,6 +22,7 @@ PAGES = (
     "Filters/Geodesic/README.md",
     "Filters/Glossary.md",
     "Filters/Parallel/README.md",
+    "Filters/Parallel/Rows.md",
     "Filters/Parallel/Scale.md",
     "Filters/PointCloud/README.md",
     "Filters/Spectral/README.md",
