@@ -17,7 +17,8 @@ namespace dgg
 {
 namespace
 {
-/// Distances from samples in the graph of all pieces. Vertices are the numbers of points.
+/// Distances from samples in the graph of all pieces. Vertices are indices of points in the
+/// order of their global ids.
 class PieceFarthestPoints : public SampleDistances
 {
 public:

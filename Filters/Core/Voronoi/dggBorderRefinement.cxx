@@ -12,8 +12,8 @@ namespace dgg
 {
 namespace
 {
-/// Minimum relative difference between predictions at which borders between their ends are
-/// measured, and between distances at which they are wrong, in units of the accuracy.
+/// Minimum relative difference between predictions at which a border point is measured, and between
+/// measured distances at which the border is wrong, in units of the accuracy.
 constexpr double SuspiciousDifference = 2.0;
 constexpr double WrongDifference = 1.5;
 /// Final relative tolerance between the distances from two sites, in units of the accuracy.

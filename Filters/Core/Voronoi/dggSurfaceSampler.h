@@ -53,8 +53,8 @@ DGG_CORE_EXPORT Status SampleSurface(const GraphView& graph, const SurfaceMesh* 
   const GraphBuilder* builder, double accuracy, const SamplerOptions& options,
   std::vector<SurfaceSample>& samples);
 
-/// Like SampleSurface() with InFaces off, from the distances of another graph, which have no
-/// samples. `given` has the seeds of each given sample. `samples` must be empty.
+/// Like SampleSurface() with InFaces off, with the given distances, to which no sample has been
+/// added. `given` has the seeds of each given sample. `samples` must be empty.
 DGG_CORE_EXPORT Status SampleVertices(SampleDistances& points,
   const std::vector<std::vector<GraphSeed>>& given, const SamplerOptions& options,
   std::vector<SurfaceSample>& samples);
