@@ -138,6 +138,10 @@ TEST_P(PointsInPieces, SamplesAreTheSame)
       [](F* filter) {
         filter->SetStartData(MakeSourcePoints({ { { 0.5, 0.5, 9.0 } } }));
       } },
+    { "SquaredDistanceOverflows",
+      [](F* filter) {
+        filter->SetStartData(MakeSourcePoints({ { { 0.5, 0.5, 1e200 } } }));
+      } },
     { "NoStart", [](F* filter) { filter->SetStartData(vtkNew<vtkPolyData>()); } },
   };
   for (const FilterCase<F>& tested : cases)
