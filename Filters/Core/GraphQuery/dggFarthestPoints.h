@@ -75,6 +75,7 @@ private:
   /// top.
   std::vector<FarthestVertex> Candidates;
 };
+
 /// Distances of the vertices of a graph from the nearest sample, for farthest-point sampling.
 /// Vertices without edges are ignored.
 class SampleDistances
@@ -119,7 +120,7 @@ public:
   Status FindFarthest(FarthestVertex& farthest) override;
   Status FindFarthestReached(FarthestVertex& farthest) override;
 
-  /// Returns the result of FindFarthest().
+  /// Returns the result of FindFarthest(), which cannot fail here.
   FarthestVertex Find();
 
   /// Returns the graph distance of every vertex from the nearest sample.

@@ -357,15 +357,15 @@ void PointToPoint::CollectPath(const GraphView& graph, const Length* lengths,
   };
   path.Vertices.push_back(v);
   auto seed = from.begin();
-  bool isSymmetric = true; // the graph; otherwise only the path of the labels is known
+  // Without a reverse edge, or if a path absorbs the length of an edge, the labels give the path.
+  bool usesRows = true;
   while ((seed = std::find_if(from.begin(), from.end(), isSeed)) == from.end())
   {
     Id tail = this->Labels[v].Tail;
-    const Offset edge =
-      isSymmetric ? this->FindEdgeTo(graph, lengths, v, tail) : this->Labels[v].Edge;
-    if (edge < 0 && isSymmetric)
+    const Offset edge = usesRows ? this->FindEdgeTo(graph, lengths, v, tail) : this->Labels[v].Edge;
+    if (edge < 0 && usesRows)
     {
-      isSymmetric = false;
+      usesRows = false;
       v = end = this->End;
       path.Edges.clear();
       path.Vertices.assign(1, v);

@@ -66,8 +66,8 @@ private:
   void PrefetchGuides(Id v) const;
   template <typename Length>
   void PrefetchEdges(const GraphView& graph, const Length* lengths, Id v) const;
-  /// Returns the edge through which a path reaches a vertex that is not a seed; -1 if the graph is
-  /// not symmetric.
+  /// Returns the edge through which a path reaches a vertex that is not a seed; -1 if no row of the
+  /// vertex leads back to a tail.
   template <typename Length>
   Offset FindEdgeTo(const GraphView& graph, const Length* lengths, Id v, Id& tail) const;
   template <typename Length>
