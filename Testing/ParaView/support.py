@@ -16,7 +16,7 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkImagingCore import vtkImageDifference
 from vtkmodules.vtkIOImage import vtkPNGReader
 
-REPOSITORY = pathlib.Path(__file__).resolve().parents[3]
+REPOSITORY = pathlib.Path(__file__).resolve().parents[2]
 DATA = REPOSITORY / "Testing" / "Data"
 BASELINE = pathlib.Path(__file__).resolve().parent / "Baseline"
 OUTPUT = pathlib.Path(os.environ["DGG_TEST_OUTPUT"])
