@@ -8,7 +8,7 @@
 
 #include "dggBandMarching.h"
 #include "dggBands.h"
-#include "dggFaceProfile.h"
+#include "dggFaceEnvelope.h"
 #include "dggIsolines.h"
 #include "dggUnfolding.h"
 
@@ -129,7 +129,7 @@ void ExpectSound(const BandCase& test, const std::string& what)
 double LargestMiss(const BandCase& test)
 {
   const SubMesh& surface = test.Found.Surface;
-  FaceProfile profile(test.Field);
+  FaceEnvelope envelope(test.Field);
   double largest = 0.0;
   for (Id f = 0; f < surface.GetNumberOfFaces(); ++f)
   {
@@ -137,14 +137,14 @@ double LargestMiss(const BandCase& test)
     {
       continue;
     }
-    profile.Enter(surface.Faces[f]);
+    envelope.Enter(surface.Faces[f]);
     std::array<Point2, 3> corners;
     for (int k = 0; k < 3; ++k)
     {
       std::array<double, 3> b{};
       EXPECT_TRUE(FindInFace(
         *test.Field.Mesh, surface.Points[surface.Triangles[3 * f + k]], surface.Faces[f], b));
-      corners[k] = profile.PlaceOf(b);
+      corners[k] = envelope.PlaceOf(b);
     }
     for (const std::array<double, 3>& b :
       { std::array<double, 3>{ { 1.0 / 3.0, 1.0 / 3.0, 1.0 / 3.0 } },
@@ -157,7 +157,7 @@ double LargestMiss(const BandCase& test)
         p.X += b[k] * corners[k].X;
         p.Y += b[k] * corners[k].Y;
       }
-      largest = std::max(largest, test.MissOf(f, profile.At(p)));
+      largest = std::max(largest, test.MissOf(f, envelope.At(p)));
     }
   }
   return largest;

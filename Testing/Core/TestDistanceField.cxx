@@ -8,19 +8,19 @@
 
 #include "dggCornerModel.h"
 #include "dggDistanceField.h"
-#include "dggEdgeProfile.h"
+#include "dggEdgeEnvelope.h"
 #include "dggExactGeodesics.h"
-#include "dggFaceProfile.h"
+#include "dggFaceEnvelope.h"
 
 using namespace dgg;
 using namespace dggtest;
 
 namespace
 {
-double DistanceAt(FaceProfile& profile, const SurfacePoint& point)
+double DistanceAt(FaceEnvelope& envelope, const SurfacePoint& point)
 {
-  profile.Enter(point.Face);
-  return profile.At(profile.PlaceOf(point.Barycentric));
+  envelope.Enter(point.Face);
+  return envelope.At(envelope.PlaceOf(point.Barycentric));
 }
 
 std::vector<SurfacePoint> PointsInside(const SurfaceMesh& mesh, Id count, std::uint64_t seed)
@@ -40,7 +40,7 @@ std::vector<SurfacePoint> PointsInside(const SurfaceMesh& mesh, Id count, std::u
 double MeanError(
   const DistanceField& field, const ExactField& exact, const std::vector<SurfacePoint>& points)
 {
-  FaceProfile profile(field);
+  FaceEnvelope envelope(field);
   double sum = 0.0;
   std::size_t count = 0;
   for (std::size_t i = 0; i < points.size(); ++i)
@@ -48,7 +48,7 @@ double MeanError(
     const double d = exact.Result.TargetDistances[i];
     if (d > 0.0 && d < Infinity)
     {
-      sum += std::abs(DistanceAt(profile, points[i]) - d) / d;
+      sum += std::abs(DistanceAt(envelope, points[i]) - d) / d;
       ++count;
     }
   }
@@ -62,14 +62,14 @@ void ExpectExact(const SurfaceMesh& mesh, const std::vector<GeodesicSource>& sou
   const ExactField field(mesh, sources, points, engine);
   const Status status = field.Result.Windows.Check(mesh);
   EXPECT_TRUE(status.IsOk()) << what << ": " << status.GetMessage();
-  FaceProfile profile(field.Exact);
+  FaceEnvelope envelope(field.Exact);
   const double rounding = 1e-14 * mesh.GetMeanEdgeLength();
   for (std::size_t i = 0; i < points.size(); ++i)
   {
     const double d = field.Result.TargetDistances[i];
     if (d < Infinity)
     {
-      ASSERT_NEAR(DistanceAt(profile, points[i]), d, tolerance * std::abs(d) + rounding)
+      ASSERT_NEAR(DistanceAt(envelope, points[i]), d, tolerance * std::abs(d) + rounding)
         << what << ", point " << i;
     }
   }
@@ -106,9 +106,9 @@ TEST(DistanceField, EdgesAndFacesAgree)
     const double scale = mesh.GetMeanEdgeLength();
     for (const DistanceField* f : { &field.Exact, &field.Local, &field.Linear })
     {
-      EdgeProfile edge(*f);
-      FaceProfile face(*f);
-      FaceProfile beyond(*f);
+      EdgeEnvelope edge(*f);
+      FaceEnvelope face(*f);
+      FaceEnvelope beyond(*f);
       for (Id h = 0; h < mesh.GetNumberOfHalfEdges(); h += 7)
       {
         edge.Enter(h);
@@ -159,7 +159,7 @@ TEST(DistanceField, WavefrontsReachTheBoundaryOfLeaningFaces)
   const SurfaceMesh mesh = Build(leaning);
   const std::array<double, 3> source{ { 2.0 / 3.0, 2.0 / 15.0, 0.2 } }; // (1.8, 0.2)
   const ExactField field(mesh, { { SurfacePoint::InTriangle(mesh, 1, source), 0.0 } });
-  EdgeProfile edge(field.Exact);
+  EdgeEnvelope edge(field.Exact);
   edge.Enter(0);
   for (const double x : { 0.1, 0.3, 0.5, 0.7, 0.9 })
   {
@@ -173,7 +173,7 @@ TEST(DistanceField, CrossingsOfEdgesAreAtTheLevelAndAlternate)
   const ExactField field(mesh, VertexAndFaceSources(mesh));
   for (const DistanceField* f : { &field.Exact, &field.Local, &field.Linear })
   {
-    EdgeProfile edge(*f);
+    EdgeEnvelope edge(*f);
     int found = 0;
     for (Id h = 0; h < mesh.GetNumberOfHalfEdges(); ++h)
     {
@@ -212,7 +212,7 @@ TEST(DistanceField, NoCrossingOfSteepModelsIsLost)
   steep.Distances = distances.data();
   for (const DistanceField* f : { &field.Local, static_cast<const DistanceField*>(&steep) })
   {
-    EdgeProfile edge(*f);
+    EdgeEnvelope edge(*f);
     for (Id h = 0; h < mesh.GetNumberOfHalfEdges(); ++h)
     {
       edge.Enter(h);
@@ -242,7 +242,7 @@ TEST(DistanceField, NoExtremumIsBetweenBreaks)
     const SurfaceMesh mesh = Build(named.Mesh);
     const ExactField field(mesh, VertexAndFaceSources(mesh));
     const double rounding = 1e-9 * mesh.GetMeanEdgeLength();
-    EdgeProfile edge(field.Exact);
+    EdgeEnvelope edge(field.Exact);
     for (Id h = 0; h < mesh.GetNumberOfHalfEdges(); ++h)
     {
       edge.Enter(h);
@@ -298,17 +298,17 @@ TEST(DistanceField, GradientsAreThoseOfTheDistance)
   const ExactField field(mesh, VertexAndFaceSources(mesh));
   for (const DistanceField* f : { &field.Exact, &field.Local, &field.Linear })
   {
-    FaceProfile profile(*f);
+    FaceEnvelope envelope(*f);
     int smooth = 0;
     const std::vector<SurfacePoint> points = PointsInside(mesh, 400, 5);
     for (const SurfacePoint& point : points)
     {
-      profile.Enter(point.Face);
-      const Point2 p = profile.PlaceOf(point.Barycentric);
+      envelope.Enter(point.Face);
+      const Point2 p = envelope.PlaceOf(point.Barycentric);
       const double step = 1e-6 * mesh.GetMeanEdgeLength();
-      const FieldSample here = profile.SampleAt(p);
-      const FieldSample right = profile.SampleAt({ p.X + step, p.Y });
-      const FieldSample up = profile.SampleAt({ p.X, p.Y + step });
+      const FieldSample here = envelope.SampleAt(p);
+      const FieldSample right = envelope.SampleAt({ p.X + step, p.Y });
+      const FieldSample up = envelope.SampleAt({ p.X, p.Y + step });
       if (here.Candidate == right.Candidate && here.Candidate == up.Candidate)
       {
         EXPECT_NEAR(here.Gradient.X, (right.Distance - here.Distance) / step, 1e-4);

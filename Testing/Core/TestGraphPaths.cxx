@@ -8,7 +8,7 @@
 #include "TestMeshes.h"
 
 #include "dggBucketSearch.h"
-#include "dggFaceProfile.h"
+#include "dggFaceEnvelope.h"
 #include "dggGraphBuilder.h"
 #include "dggGraphFans.h"
 #include "dggGraphSearch.h"
@@ -470,8 +470,8 @@ struct FieldErrors
     const SurfaceMesh& mesh = *truth.Mesh;
     const double farthest =
       *std::max_element(truth.Distances, truth.Distances + mesh.GetNumberOfVertices());
-    FaceProfile found(field);
-    FaceProfile exact(truth);
+    FaceEnvelope found(field);
+    FaceEnvelope exact(truth);
     for (Id f = 0; f < mesh.GetNumberOfFaces(); ++f)
     {
       found.Enter(f);

@@ -6,7 +6,7 @@
 
 #include "dggDistanceOutput.h"
 #include "dggExactGeodesics.h"
-#include "dggFaceProfile.h"
+#include "dggFaceEnvelope.h"
 #include "dggGraphDistances.h"
 #include "dggGraphSession.h"
 #include "dggMatrixSearch.h"
@@ -114,13 +114,13 @@ TEST(GraphDistances, InsideCoarseTriangles)
   const dgg::DistanceTask found = find(true, 0);
   const dgg::DistanceField field{ &mesh, found.Distances.data(), &found.Windows, nullptr };
   ASSERT_TRUE(field.HasWindows());
-  dgg::FaceProfile profile(field);
+  dgg::FaceEnvelope envelope(field);
   for (std::size_t i = 0; i < places.size(); ++i)
   {
     double distance = dgg::Infinity;
     ForEachFaceAround(mesh, places[i], [&](Id f, const std::array<double, 3>& barycentric) {
-      profile.Enter(f);
-      distance = std::min(distance, profile.At(profile.PlaceOf(barycentric)));
+      envelope.Enter(f);
+      distance = std::min(distance, envelope.At(envelope.PlaceOf(barycentric)));
     });
     EXPECT_NEAR(distance, exact[i], 1e-9 * exact[i]);
   }

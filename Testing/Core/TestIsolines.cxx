@@ -7,7 +7,7 @@
 #include "TestMeshes.h"
 
 #include "dggBands.h"
-#include "dggFaceProfile.h"
+#include "dggFaceEnvelope.h"
 #include "dggGraphSearch.h"
 #include "dggIsolines.h"
 
@@ -178,7 +178,7 @@ TEST(Isolines, AreAsCloseAsWished)
   for (const DistanceField* f : { &field.Exact, &field.Linear })
   {
     const Isolines lines = Trace(*f, levels, tolerance);
-    FaceProfile profile(*f);
+    FaceEnvelope envelope(*f);
     std::size_t far = 0;
     std::size_t all = 0;
     for (std::size_t i = 0; i < lines.Lines.size(); ++i)
@@ -190,8 +190,8 @@ TEST(Isolines, AreAsCloseAsWished)
         std::array<double, 3> b{};
         ASSERT_TRUE(FindInFace(mesh, line.Points[p], line.Faces[p], a));
         ASSERT_TRUE(FindInFace(mesh, line.Points[p + 1], line.Faces[p], b));
-        profile.Enter(line.Faces[p]);
-        const double d = profile.At(profile.PlaceOf(Middle(a, b)));
+        envelope.Enter(line.Faces[p]);
+        const double d = envelope.At(envelope.PlaceOf(Middle(a, b)));
         far += std::abs(d - levels[lines.Levels[i]]) > 1.5 * tolerance ? 1 : 0;
         ++all;
       }
@@ -531,10 +531,10 @@ TEST(Isolines, LoopsAroundMaximaOfFaces)
   {
     const SurfaceMesh mesh = Build(WithNoise(Icosahedron(), 0.2, seed));
     const ExactField field(mesh, { VertexSource(0) });
-    FaceProfile profile(field.Exact);
+    FaceEnvelope envelope(field.Exact);
     for (Id f = 0; f < mesh.GetNumberOfFaces(); ++f)
     {
-      profile.Enter(f);
+      envelope.Enter(f);
       double inside = 0.0;
       double around = 0.0;
       for (int i = 0; i <= Steps; ++i)
@@ -544,7 +544,7 @@ TEST(Isolines, LoopsAroundMaximaOfFaces)
           const double a = static_cast<double>(i) / Steps;
           const double b = static_cast<double>(j) / Steps;
           double& farthest = i == 0 || j == 0 || i + j == Steps ? around : inside;
-          farthest = std::max(farthest, profile.At(profile.PlaceOf({ { a, b, 1.0 - a - b } })));
+          farthest = std::max(farthest, envelope.At(envelope.PlaceOf({ { a, b, 1.0 - a - b } })));
         }
       }
       if (inside > around + 0.01)

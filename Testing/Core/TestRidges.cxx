@@ -8,7 +8,7 @@
 #include "TestMeshes.h"
 
 #include "dggDistanceField.h"
-#include "dggFaceProfile.h"
+#include "dggFaceEnvelope.h"
 #include "dggFieldJumps.h"
 #include "dggRidges.h"
 
@@ -76,14 +76,14 @@ double TotalLength(const Ridges& ridges)
 
 /// Returns the end points of a piece of a line in the frame of its face.
 std::array<Point2, 2> PlaceOfPiece(
-  const SurfaceMesh& mesh, const FaceProfile& profile, const SurfacePath& line, std::size_t piece)
+  const SurfaceMesh& mesh, const FaceEnvelope& envelope, const SurfacePath& line, std::size_t piece)
 {
   std::array<Point2, 2> ends;
   for (std::size_t i = 0; i < 2; ++i)
   {
     std::array<double, 3> b{};
     EXPECT_TRUE(FindInFace(mesh, line.Points[piece + i], line.Faces[piece], b));
-    ends[i] = profile.PlaceOf(b);
+    ends[i] = envelope.PlaceOf(b);
   }
   return ends;
 }
@@ -97,9 +97,9 @@ double DistanceToPiece(const std::array<Point2, 2>& piece, const Point2& p)
   return Distance(p, { piece[0].X + t * way.X, piece[0].Y + t * way.Y });
 }
 
-bool IsInside(const FaceProfile& profile, const Point2& p)
+bool IsInside(const FaceEnvelope& envelope, const Point2& p)
 {
-  const std::array<double, 3> b = profile.BarycentricOf(p);
+  const std::array<double, 3> b = envelope.BarycentricOf(p);
   return std::min({ b[0], b[1], b[2] }) > 0.0;
 }
 
@@ -108,7 +108,7 @@ bool IsInside(const FaceProfile& profile, const Point2& p)
 /// exceptions. Returns the number of tested pieces.
 int ExpectTies(const RidgeCase& test, double share, const std::string& what)
 {
-  FaceProfile profile(test.Field);
+  FaceEnvelope envelope(test.Field);
   const double mean = test.Mesh.GetMeanEdgeLength();
   int count = 0;
   int wrong = 0;
@@ -118,8 +118,8 @@ int ExpectTies(const RidgeCase& test, double share, const std::string& what)
   {
     for (std::size_t i = 0; i < line.Faces.size(); ++i)
     {
-      profile.Enter(line.Faces[i]);
-      const std::array<Point2, 2> piece = PlaceOfPiece(test.Mesh, profile, line, i);
+      envelope.Enter(line.Faces[i]);
+      const std::array<Point2, 2> piece = PlaceOfPiece(test.Mesh, envelope, line, i);
       const Point2 way = Difference(piece[1], piece[0]);
       const double length = Norm(way.X, way.Y);
       auto across = [&](const Point2& p, double distance) {
@@ -129,19 +129,19 @@ int ExpectTies(const RidgeCase& test, double share, const std::string& what)
       const Point2 middle{ 0.5 * (piece[0].X + piece[1].X), 0.5 * (piece[0].Y + piece[1].Y) };
       const Point2 left = across(middle, side);
       const Point2 right = across(middle, -side);
-      if (length < 4.0 * side || !IsInside(profile, left) || !IsInside(profile, right))
+      if (length < 4.0 * side || !IsInside(envelope, left) || !IsInside(envelope, right))
       {
         continue;
       }
       ++count;
-      wrong += AngleBetween(profile.SampleAt(left), profile.SampleAt(right)) <
+      wrong += AngleBetween(envelope.SampleAt(left), envelope.SampleAt(right)) <
           0.7 * test.Options.MinimumAngle
         ? 1
         : 0;
       if (i > 0 && line.Points[i].On == SurfacePoint::Support::Face)
       {
-        const FieldSample atLeft = profile.SampleAt(across(piece[0], 1e-4 * mean));
-        const FieldSample atRight = profile.SampleAt(across(piece[0], -1e-4 * mean));
+        const FieldSample atLeft = envelope.SampleAt(across(piece[0], 1e-4 * mean));
+        const FieldSample atRight = envelope.SampleAt(across(piece[0], -1e-4 * mean));
         const double difference =
           DistanceFromSource(atLeft, piece[0]) - DistanceFromSource(atRight, piece[0]);
         apart += std::abs(difference) > 1e-12 * (atLeft.Distance + mean) ? 1 : 0;
@@ -169,8 +169,8 @@ int ExpectComplete(const RidgeCase& test, double share, std::uint64_t seed, cons
       piecesOf[test.Found.Lines[l].Faces[i]].push_back({ l, i });
     }
   }
-  FaceProfile profile(test.Field);
-  const FieldJumpFinder finder(profile, 1.3 * test.Options.MinimumAngle);
+  FaceEnvelope envelope(test.Field);
+  const FieldJumpFinder finder(envelope, 1.3 * test.Options.MinimumAngle);
   Random random(seed);
   int count = 0;
   int missing = 0;
@@ -181,13 +181,13 @@ int ExpectComplete(const RidgeCase& test, double share, std::uint64_t seed, cons
     {
       continue;
     }
-    profile.Enter(f);
+    envelope.Enter(f);
     std::array<Point2, 2> ends;
     for (Point2& end : ends)
     {
       const double u = 0.02 + 0.94 * random.Uniform();
       const double v = (0.98 - u) * random.Uniform() + 0.01;
-      end = profile.PlaceOf({ { 1.0 - u - v, u, v } });
+      end = envelope.PlaceOf({ { 1.0 - u - v, u, v } });
     }
     std::vector<FieldJump> jumps;
     finder.Find(ends[0], ends[1], 8, 1e-10, jumps);
@@ -198,7 +198,7 @@ int ExpectComplete(const RidgeCase& test, double share, std::uint64_t seed, cons
       {
         nearest = std::min(nearest,
           DistanceToPiece(
-            PlaceOfPiece(test.Mesh, profile, test.Found.Lines[piece.first], piece.second),
+            PlaceOfPiece(test.Mesh, envelope, test.Found.Lines[piece.first], piece.second),
             jump.Place));
       }
       ++count;

@@ -7,7 +7,7 @@
 #include "GraphChecks.h"
 #include "TestMeshes.h"
 
-#include "dggFaceProfile.h"
+#include "dggFaceEnvelope.h"
 #include "dggLocalFit.h"
 #include "dggSourceFinding.h"
 #include "dggSurfacePath.h"
@@ -28,12 +28,12 @@ VirtualSources Fit(const SurfaceMesh& mesh, const std::vector<double>& distances
 template <typename Truth>
 double MeanError(const DistanceField& field, const std::vector<SurfacePoint>& points, Truth&& truth)
 {
-  FaceProfile profile(field);
+  FaceEnvelope envelope(field);
   double sum = 0.0;
   for (std::size_t i = 0; i < points.size(); ++i)
   {
-    profile.Enter(points[i].Face);
-    sum += std::abs(profile.At(profile.PlaceOf(points[i].Barycentric)) - truth(i));
+    envelope.Enter(points[i].Face);
+    sum += std::abs(envelope.At(envelope.PlaceOf(points[i].Barycentric)) - truth(i));
   }
   return sum / static_cast<double>(points.size());
 }

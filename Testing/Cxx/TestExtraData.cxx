@@ -11,7 +11,7 @@
 
 #include "dggCapSplitting.h"
 #include "dggExactGeodesics.h"
-#include "dggFaceProfile.h"
+#include "dggFaceEnvelope.h"
 #include "dggGraphBuilder.h"
 #include "dggGraphSearch.h"
 #include "dggMeshReport.h"

@@ -71,7 +71,7 @@ struct FieldSample
   Point2 Image;
   double Offset = 0.0;
   bool HasImage = false;
-  /// Id of the candidate that attains the minimum. Two samples of a profile have equal ids if they
+  /// Id of the candidate that attains the minimum. Two samples of a envelope have equal ids if they
   /// belong to the same smooth piece.
   Id Candidate = NoId;
   /// Index of the nearest source. Defined if the field has windows and NearestSource.

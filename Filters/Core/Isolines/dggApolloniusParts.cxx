@@ -4,7 +4,7 @@
 
 #include "dggApolloniusDiagram.h"
 #include "dggCornerModel.h"
-#include "dggFaceProfile.h"
+#include "dggFaceEnvelope.h"
 #include "dggFaceTriangulation.h"
 #include "dggSourceFinding.h"
 #include "dggSurfacePoint.h"
@@ -214,7 +214,7 @@ Id FindCrossing(const LevelCrossings& crossings, Id h, Id level, Id interval)
 /// the three edges (HermiteEdge) and the nodes of the Apollonius diagram of the sites. Edges of
 /// the diagram, straightened, are edges of triangles where possible.
 ///
-/// The distance at a node of the diagram is that of the field inside the face (dggFaceProfile.h).
+/// The distance at a node of the diagram is that of the field inside the face (dggFaceEnvelope.h).
 /// The distance of the diagram is an overestimate, because the path to the point need not start at
 /// a site. An object can be reused for other faces, which saves allocations.
 class ApolloniusFace
@@ -269,7 +269,7 @@ private:
   const DistanceField& Field;
   int NumberOfSteinerPoints;
   HermiteEdge Edge;
-  FaceProfile Profile;
+  FaceEnvelope Envelope;
   ApolloniusDiagram Diagram;
   Id Face = NoId;
   bool IsBuilt = false;
@@ -289,19 +289,19 @@ ApolloniusFace::ApolloniusFace(const DistanceField& field, int steinerPoints)
   : Field(field)
   , NumberOfSteinerPoints(steinerPoints)
   , Edge(field, steinerPoints)
-  , Profile(field)
+  , Envelope(field)
 {
 }
 
 void ApolloniusFace::Enter(Id f)
 {
   this->Face = f;
-  this->Profile.Enter(f);
+  this->Envelope.Enter(f);
   this->Places = { { { 1.0, 0.0, 0.0 } }, { { 0.0, 1.0, 0.0 } }, { { 0.0, 0.0, 1.0 } } };
   this->Values.clear();
   for (int k = 0; k < 3; ++k)
   {
-    this->Values.push_back(this->Profile.GetCornerDistance(k));
+    this->Values.push_back(this->Envelope.GetCornerDistance(k));
   }
   this->AddRim();
   this->IsBuilt = false;
@@ -326,12 +326,12 @@ void ApolloniusFace::Enter(Id f)
 void ApolloniusFace::Build()
 {
   this->IsBuilt = true;
-  FaceTriangulation triangulation(this->Profile.GetCorners());
+  FaceTriangulation triangulation(this->Envelope.GetCorners());
   for (std::size_t n = 3; n < this->Places.size(); ++n)
   {
     triangulation.AddPoint(GridPoint::FromBarycentric(this->Places[n]));
   }
-  this->Diagram.Build(this->Profile.GetCorners(), this->Sites);
+  this->Diagram.Build(this->Envelope.GetCorners(), this->Sites);
   this->AddDiagram(triangulation);
   triangulation.MakeDelaunay();
   this->Triangles = triangulation.GetTriangles();
@@ -423,8 +423,8 @@ void ApolloniusFace::AddDiagram(FaceTriangulation& triangulation)
     }
     else
     {
-      const std::array<double, 3> b = this->Profile.BarycentricOf(node.Place);
-      const double value = this->Profile.At(node.Place); // not finite on overflow
+      const std::array<double, 3> b = this->Envelope.BarycentricOf(node.Place);
+      const double value = this->Envelope.At(node.Place); // not finite on overflow
       if (std::min(b[0], std::min(b[1], b[2])) > InnerDistance && std::isfinite(value))
       {
         number = static_cast<int>(this->Values.size());

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggBands.h"
 
-#include "dggFaceProfile.h"
+#include "dggFaceEnvelope.h"
 #include "dggPathEdges.h"
 #include "dggProgressPart.h"
 #include "dggSurfaceRefinement.h"
@@ -27,7 +27,7 @@ public:
   BandFinder(const DistanceField& field, Bands& bands)
     : Field(field)
     , Result(bands)
-    , Profile(field)
+    , Envelope(field)
     , Close(MergeDistance * field.Mesh->GetMaximumEdgeLength())
     , Lines(bands.Surface, bands.Surface.Paths)
   {
@@ -45,7 +45,7 @@ private:
 
   const DistanceField& Field;
   Bands& Result;
-  FaceProfile Profile;
+  FaceEnvelope Envelope;
   const double Close; // tolerance of a level whose line may have collapsed to a vertex
   const PathEdges Lines;
   std::vector<Id> LevelAt; // per vertex, the level of the lines that pass it, or NoId
@@ -119,8 +119,8 @@ Id BandFinder::BandOfCentroid(Id face)
       sum[k] += b[k] / 3.0;
     }
   }
-  this->Profile.Enter(old);
-  return this->BandAt(this->Profile.At(this->Profile.PlaceOf(sum)));
+  this->Envelope.Enter(old);
+  return this->BandAt(this->Envelope.At(this->Envelope.PlaceOf(sum)));
 }
 
 /// Assigns bands. First assigns the faces that are determined by their corners, then their

@@ -39,7 +39,7 @@ FaceIsolines::FaceIsolines(const DistanceField& field, const std::vector<double>
   , Levels(levels)
   , Tolerance(tolerance)
   , Crossings(crossings)
-  , Profile(field)
+  , Envelope(field)
   , Edge(field)
 {
 }
@@ -121,7 +121,7 @@ Id FaceIsolines::Trace(Id f, std::vector<FaceCurve>& curves)
   {
     return 0;
   }
-  this->Profile.Enter(f);
+  this->Envelope.Enter(f);
   this->Seeds.clear();
   if (!isLinear)
   {
@@ -154,19 +154,19 @@ void FaceIsolines::FindSeeds()
 {
   std::vector<FieldSample> waves;
   waves.reserve(MostWaves); // references to waves remain valid
-  for (const FieldSample& source : this->Profile.GetSources())
+  for (const FieldSample& source : this->Envelope.GetSources())
   {
     this->AddSource(source);
     this->AddWave(source, waves);
   }
-  const bool mayHavePeak = this->Profile.MayHavePeak();
+  const bool mayHavePeak = this->Envelope.MayHavePeak();
   for (int k = 0; k < 3; ++k)
   {
     // Each wavefront enters through a side, unless its source is inside.
     std::vector<double> places;
     if (mayHavePeak)
     {
-      places = this->Edge.FindPlacesBetweenBreaks(3 * this->Profile.GetFace() + k);
+      places = this->Edge.FindPlacesBetweenBreaks(3 * this->Envelope.GetFace() + k);
     }
     if (this->Field.HasSources())
     {
@@ -179,7 +179,7 @@ void FaceIsolines::FindSeeds()
       {
         coordinate = Inset + (1.0 - 3.0 * Inset) * coordinate;
       }
-      const FieldSample sample = this->Profile.SampleAt(this->Profile.PlaceOf(b));
+      const FieldSample sample = this->Envelope.SampleAt(this->Envelope.PlaceOf(b));
       this->AddSource(sample);
       this->AddWave(sample, waves);
     }
@@ -199,11 +199,11 @@ void FaceIsolines::FindSeeds()
 void FaceIsolines::AddSource(const FieldSample& sample)
 {
   const Point2& place = sample.Image;
-  if (!(LeastOf(this->Profile.BarycentricOf(place)) > OnRim))
+  if (!(LeastOf(this->Envelope.BarycentricOf(place)) > OnRim))
   {
     return;
   }
-  const double distance = this->Profile.At(place);
+  const double distance = this->Envelope.At(place);
   if (!this->Levels.empty() && !(distance < this->Levels.back()))
   {
     return; // all levels are below
@@ -214,7 +214,7 @@ void FaceIsolines::AddSource(const FieldSample& sample)
 /// Adds a seed unless one exists at its position.
 void FaceIsolines::AddSeed(const Seed& seed)
 {
-  const double close = 1e-6 * this->Field.Mesh->Length(3 * this->Profile.GetFace());
+  const double close = 1e-6 * this->Field.Mesh->Length(3 * this->Envelope.GetFace());
   if (std::none_of(this->Seeds.begin(), this->Seeds.end(),
         [&](const Seed& known) { return Distance(known.Place, seed.Place) <= close; }))
   {
@@ -225,7 +225,7 @@ void FaceIsolines::AddSeed(const Seed& seed)
 /// Adds a wavefront unless its source is known. A source may be visible through several windows.
 void FaceIsolines::AddWave(const FieldSample& wave, std::vector<FieldSample>& waves) const
 {
-  const double length = this->Field.Mesh->Length(3 * this->Profile.GetFace());
+  const double length = this->Field.Mesh->Length(3 * this->Envelope.GetFace());
   const bool isKnown = std::any_of(waves.begin(), waves.end(),
     [&](const FieldSample& known) { return HaveOneSource(known, wave, length); });
   if (!isKnown && wave.HasImage && waves.size() < MostWaves)
@@ -245,9 +245,9 @@ void FaceIsolines::AddPeak(const FieldSample& first, const FieldSample& second,
   const auto isInside = [&](int k, const Point2& p) {
     return turn * Cross(Difference(images[(k + 1) % 3], images[k]), Difference(p, images[k])) > 0.0;
   };
-  const std::array<Point2, 3>& corners = this->Profile.GetCorners();
-  const std::array<std::array<double, 3>, 3> b{ { this->Profile.BarycentricOf(images[0]),
-    this->Profile.BarycentricOf(images[1]), this->Profile.BarycentricOf(images[2]) } };
+  const std::array<Point2, 3>& corners = this->Envelope.GetCorners();
+  const std::array<std::array<double, 3>, 3> b{ { this->Envelope.BarycentricOf(images[0]),
+    this->Envelope.BarycentricOf(images[1]), this->Envelope.BarycentricOf(images[2]) } };
   for (int k = 0; k < 3; ++k)
   {
     if (std::max({ b[0][k], b[1][k], b[2][k] }) <= OnRim ||
@@ -256,13 +256,13 @@ void FaceIsolines::AddPeak(const FieldSample& first, const FieldSample& second,
       return;
     }
   }
-  Point2 place = this->Profile.PlaceOf({ { 1.0 / 3.0, 1.0 / 3.0, 1.0 / 3.0 } });
+  Point2 place = this->Envelope.PlaceOf({ { 1.0 / 3.0, 1.0 / 3.0, 1.0 / 3.0 } });
   if (!MoveToTie(first, second, third, place) || !isInside(0, place) || !isInside(1, place) ||
-    !isInside(2, place) || !(LeastOf(this->Profile.BarycentricOf(place)) > OnRim))
+    !isInside(2, place) || !(LeastOf(this->Envelope.BarycentricOf(place)) > OnRim))
   {
     return;
   }
-  const FieldSample nearest = this->Profile.SampleAt(place);
+  const FieldSample nearest = this->Envelope.SampleAt(place);
   const double tolerance = TieTolerance * Distance(corners[0], corners[1]);
   if (nearest.Distance < DistanceFromSource(first, place) - tolerance)
   {
@@ -282,7 +282,7 @@ void FaceIsolines::CollectRim(Id level)
   this->Rim.Clear();
   for (int k = 0; k < 3; ++k)
   {
-    const Id h = 3 * this->Profile.GetFace() + k;
+    const Id h = 3 * this->Envelope.GetFace() + k;
     const Id edge = this->Edges[k];
     const bool isSame = mesh.Origin(edge) == mesh.Origin(h);
     std::vector<RimCrossing>& side = this->Rim.Sides[k];
@@ -299,7 +299,7 @@ void FaceIsolines::CollectRim(Id level)
     {
       std::reverse(side.begin(), side.end());
     }
-    this->Rim.IsAbove[k] = this->Profile.GetCornerDistance(k) >= this->Levels[level];
+    this->Rim.IsAbove[k] = this->Envelope.GetCornerDistance(k) >= this->Levels[level];
   }
 }
 
@@ -310,14 +310,14 @@ LevelPoint FaceIsolines::EvaluateCrossing(const LevelArc& arc, Id crossing) cons
   const auto side = std::find(this->Edges.begin(), this->Edges.end(), c.HalfEdge);
   const auto k = static_cast<int>(side - this->Edges.begin());
   const double t = c.X / mesh.Length(c.HalfEdge);
-  const bool isSame = mesh.Origin(c.HalfEdge) == mesh.Origin(3 * this->Profile.GetFace() + k);
-  return arc.Evaluate(this->Profile.PlaceOf(CoordinatesOnEdge(k, isSame ? t : 1.0 - t)));
+  const bool isSame = mesh.Origin(c.HalfEdge) == mesh.Origin(3 * this->Envelope.GetFace() + k);
+  return arc.Evaluate(this->Envelope.PlaceOf(CoordinatesOnEdge(k, isSame ? t : 1.0 - t)));
 }
 
 Id FaceIsolines::TraceLevel(Id level, std::vector<FaceCurve>& curves)
 {
   const double value = this->Levels[level];
-  const LevelArc arc(this->Profile, value, this->Tolerance);
+  const LevelArc arc(this->Envelope, value, this->Tolerance);
   const std::size_t size = curves.size();
   if (this->SeedsOfLevel.empty() && this->Rim.CountCrossings() == 2 &&
     this->TraceDirectly(arc, level, curves))
@@ -334,7 +334,7 @@ Id FaceIsolines::TraceLevel(Id level, std::vector<FaceCurve>& curves)
     }
     failures = 0;
     curves.resize(size);
-    this->Triangles.Build(this->Profile, arc, value, this->Rim, cells, this->SeedsOfLevel);
+    this->Triangles.Build(this->Envelope, arc, value, this->Rim, cells, this->SeedsOfLevel);
     for (const LevelChain& chain : this->Triangles.GetChains())
     {
       FaceCurve curve;
@@ -379,7 +379,7 @@ bool FaceIsolines::TraceDirectly(const LevelArc& arc, Id level, std::vector<Face
 bool FaceIsolines::TraceChain(
   const LevelArc& arc, const LevelChain& chain, Id level, FaceCurve& curve)
 {
-  curve.Face = this->Profile.GetFace();
+  curve.Face = this->Envelope.GetFace();
   curve.Level = level;
   curve.First = chain.First;
   curve.Last = chain.Last;
@@ -415,7 +415,7 @@ bool FaceIsolines::TraceChain(
   curve.Points.reserve(this->Points.size());
   for (const Point2& place : this->Points)
   {
-    curve.Points.push_back(this->Profile.BarycentricOf(place));
+    curve.Points.push_back(this->Envelope.BarycentricOf(place));
   }
   return isWithinTolerance;
 }

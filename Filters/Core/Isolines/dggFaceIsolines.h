@@ -5,8 +5,8 @@
 #ifndef dggFaceIsolines_h
 #define dggFaceIsolines_h
 
-#include "dggEdgeProfile.h"       // for EdgeProfile
-#include "dggFaceProfile.h"       // for FaceProfile
+#include "dggEdgeEnvelope.h"      // for EdgeEnvelope
+#include "dggFaceEnvelope.h"      // for FaceEnvelope
 #include "dggIsolineParts.h"      // for FaceCurve
 #include "dggMarchingTriangles.h" // for MarchingTriangles
 
@@ -60,8 +60,8 @@ private:
   const std::vector<double>& Levels;
   double Tolerance;
   const LevelCrossings& Crossings;
-  FaceProfile Profile;
-  EdgeProfile Edge;
+  FaceEnvelope Envelope;
+  EdgeEnvelope Edge;
   MarchingTriangles Triangles;
   LevelRim Rim;
   std::array<Id, 3> Edges{ { NoId, NoId, NoId } }; // half-edges of the sides

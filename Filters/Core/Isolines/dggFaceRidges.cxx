@@ -67,17 +67,17 @@ bool HavePair(const FieldSample& a, const FieldSample& b, const FieldSample& c,
 FaceRidgeFinder::FaceRidgeFinder(const DistanceField& field, const RidgeOptions& options)
   : Field(field)
   , Options(options)
-  , Profile(field)
+  , Envelope(field)
   , Edge(field)
-  , Jumps(Profile, options.MinimumAngle, options.BetweenSources)
+  , Jumps(Envelope, options.MinimumAngle, options.BetweenSources)
 {
 }
 
 void FaceRidgeFinder::Find(Id f, FaceRidges& found)
 {
   this->Found = &found;
-  this->Profile.Enter(f);
-  if (this->Options.BetweenSources && !this->Profile.MayHaveSeveralSources())
+  this->Envelope.Enter(f);
+  if (this->Options.BetweenSources && !this->Envelope.MayHaveSeveralSources())
   {
     return;
   }
@@ -88,12 +88,12 @@ void FaceRidgeFinder::Find(Id f, FaceRidges& found)
   this->Hidden.clear();
   if (this->Options.BetweenSources)
   {
-    const std::vector<FieldSample>& sources = this->Profile.GetSources();
+    const std::vector<FieldSample>& sources = this->Envelope.GetSources();
     std::copy_if(sources.begin(), sources.end(), std::back_inserter(this->Hidden),
-      [&](const FieldSample& s) { return this->Profile.SampleAt(s.Image).Source == s.Source; });
+      [&](const FieldSample& s) { return this->Envelope.SampleAt(s.Image).Source == s.Source; });
   }
   const Rim rim = this->MakeRim();
-  this->Reveal(this->Profile.SampleAt(rim[0].Place).Source);
+  this->Reveal(this->Envelope.SampleAt(rim[0].Place).Source);
   this->Connect(rim);
 }
 
@@ -110,10 +110,10 @@ FaceRidgeFinder::Rim FaceRidgeFinder::MakeRim()
       b[(k + 2) % 3] = RimInset;
       b[(k + 1 - i) % 3] = CornerInset;
       b[(k + i) % 3] = 1.0 - CornerInset - RimInset;
-      ends[k][i] = this->Profile.PlaceOf(b);
-      const FieldSample sample = this->Profile.SampleAt(ends[k][i]);
+      ends[k][i] = this->Envelope.PlaceOf(b);
+      const FieldSample sample = this->Envelope.SampleAt(ends[k][i]);
       const Point2 axis =
-        Difference(this->Profile.GetCorners()[(k + 1) % 3], this->Profile.GetCorners()[k]);
+        Difference(this->Envelope.GetCorners()[(k + 1) % 3], this->Envelope.GetCorners()[k]);
       this->Found->RimAngles[k][i] =
         static_cast<float>(std::atan2(Cross(axis, sample.Gradient), Dot(axis, sample.Gradient)));
     }
@@ -135,16 +135,16 @@ void FaceRidgeFinder::AddSide(int k, const Point2& from, const Point2& to, Rim& 
   std::vector<FieldJump> jumps;
   if (this->Options.BetweenSources)
   {
-    this->Jumps.Find(from, to, this->Edge.FindPlacesBetweenBreaks(3 * this->Profile.GetFace() + k),
+    this->Jumps.Find(from, to, this->Edge.FindPlacesBetweenBreaks(3 * this->Envelope.GetFace() + k),
       WidthOfSide, jumps);
   }
   else
   {
     this->Jumps.Find(from, to, SamplesOfSide, WidthOfSide, jumps);
   }
-  const double length = this->Field.Mesh->Length(3 * this->Profile.GetFace() + k);
-  const Point2& origin = this->Profile.GetCorners()[k];
-  const Point2& end = this->Profile.GetCorners()[(k + 1) % 3];
+  const double length = this->Field.Mesh->Length(3 * this->Envelope.GetFace() + k);
+  const Point2& origin = this->Envelope.GetCorners()[k];
+  const Point2& end = this->Envelope.GetCorners()[(k + 1) % 3];
   const Point2 axis{ (end.X - origin.X) / length, (end.Y - origin.Y) / length };
   auto abscissa = [&](const Point2& p) { return Dot(axis, Difference(p, origin)); };
   for (const FieldJump& jump : jumps)
@@ -177,7 +177,7 @@ void FaceRidgeFinder::AddCorner(int k, const Point2& from, const Point2& to, Rim
     end.On = RidgeEnd::Support::Vertex;
     end.Side = k;
     rim.push_back({ jump.Place,
-      this->AddEnd(end, { this->Profile.GetCorners()[k], jump.Before, jump.After }) });
+      this->AddEnd(end, { this->Envelope.GetCorners()[k], jump.Before, jump.After }) });
   }
 }
 
@@ -316,7 +316,7 @@ void FaceRidgeFinder::Divide(const Rim& rim)
     Point2 place = jump.Place;
     MoveToTie(jump.Before, jump.After, axis, CutSlack * length, place);
     RidgeEnd end;
-    end.Barycentric = ClampedToFace(this->Profile.BarycentricOf(place));
+    end.Barycentric = ClampedToFace(this->Envelope.BarycentricOf(place));
     cut.push_back({ jump.Place, this->AddEnd(end, { place, jump.Before, jump.After }) });
   }
   cut.push_back({ places[1], NoId });
@@ -379,7 +379,7 @@ Point2 FaceRidgeFinder::MeanOf(const std::vector<Id>& ridges) const
 void FaceRidgeFinder::MakeJunction(const std::vector<Id>& ridges, const Point2& place)
 {
   RidgeEnd end;
-  end.Barycentric = ClampedToFace(this->Profile.BarycentricOf(place));
+  end.Barycentric = ClampedToFace(this->Envelope.BarycentricOf(place));
   const Crossing first = this->Crossings[ridges[0]];
   const Id junction = this->AddEnd(end, { place, first.Before, first.After });
   for (const Id ridge : ridges)
@@ -432,7 +432,7 @@ bool FaceRidgeFinder::Refine(
     return true;
   }
   const bool isFound = this->Refine(from, between, depth + 1, points);
-  points.push_back(ClampedToFace(this->Profile.BarycentricOf(between.Place)));
+  points.push_back(ClampedToFace(this->Envelope.BarycentricOf(between.Place)));
   return this->Refine(between, to, depth + 1, points) && isFound;
 }
 
@@ -453,9 +453,9 @@ bool FaceRidgeFinder::FindBetween(const Crossing& from, const Crossing& to, Cros
     }
   }
   // Search the perpendicular of the chord, within the face.
-  const std::array<double, 3> here = this->Profile.BarycentricOf(middle);
+  const std::array<double, 3> here = this->Envelope.BarycentricOf(middle);
   const std::array<double, 3> there =
-    this->Profile.BarycentricOf({ middle.X + normal.X, middle.Y + normal.Y });
+    this->Envelope.BarycentricOf({ middle.X + normal.X, middle.Y + normal.Y });
   double begin = -0.5 * length;
   double end = 0.5 * length;
   for (int k = 0; k < 3; ++k)
@@ -493,7 +493,7 @@ bool FaceRidgeFinder::FindBetween(const Crossing& from, const Crossing& to, Cros
 /// Returns true if both sources of a crossing are nearest at its point.
 bool FaceRidgeFinder::IsTie(const Crossing& crossing) const
 {
-  const std::array<double, 3> b = this->Profile.BarycentricOf(crossing.Place);
+  const std::array<double, 3> b = this->Envelope.BarycentricOf(crossing.Place);
   if (!(std::min({ b[0], b[1], b[2] }) >= -RimInset))
   {
     return false;
@@ -511,6 +511,6 @@ bool FaceRidgeFinder::IsNearest(const FieldSample& source, const Point2& p) cons
   const double step = std::min(1.0, TieStep * this->Size / length);
   return length > 0.0 &&
     HaveOneSource(
-      source, this->Profile.SampleAt({ p.X + step * way.X, p.Y + step * way.Y }), this->Size);
+      source, this->Envelope.SampleAt({ p.X + step * way.X, p.Y + step * way.Y }), this->Size);
 }
 }

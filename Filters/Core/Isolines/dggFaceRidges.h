@@ -5,10 +5,10 @@
 #ifndef dggFaceRidges_h
 #define dggFaceRidges_h
 
-#include "dggEdgeProfile.h" // for EdgeProfile
-#include "dggFaceProfile.h" // for FaceProfile
-#include "dggFieldJumps.h"  // for FieldJump
-#include "dggRidges.h"      // for RidgeOptions
+#include "dggEdgeEnvelope.h" // for EdgeEnvelope
+#include "dggFaceEnvelope.h" // for FaceEnvelope
+#include "dggFieldJumps.h"   // for FieldJump
+#include "dggRidges.h"       // for RidgeOptions
 
 #include <array>   // for barycentric coordinates
 #include <cstdint> // for the support of ends
@@ -101,8 +101,8 @@ private:
 
   const DistanceField& Field;
   const RidgeOptions Options;
-  FaceProfile Profile;
-  EdgeProfile Edge;
+  FaceEnvelope Envelope;
+  EdgeEnvelope Edge;
   FieldJumpFinder Jumps;
   FaceRidges* Found = nullptr;
   double Size = 0.0;               // length of the longest edge

@@ -124,11 +124,11 @@ void FieldJumpFinder::Find(const Point2& p, const Point2& q, const std::vector<d
   const Way way{ p, q, Distance(p, q), width, &jumps };
   const std::size_t first = jumps.size();
   double begin = 0.0;
-  FieldSample atBegin = this->Profile.SampleAt(p);
+  FieldSample atBegin = this->Envelope.SampleAt(p);
   for (std::size_t i = 0; i <= places.size(); ++i)
   {
     const double end = i < places.size() ? places[i] : 1.0;
-    const FieldSample atEnd = this->Profile.SampleAt(way.At(end));
+    const FieldSample atEnd = this->Envelope.SampleAt(way.At(end));
     this->Search(way, begin, atBegin, end, atEnd);
     begin = end;
     atBegin = atEnd;
@@ -200,7 +200,7 @@ void FieldJumpFinder::Search(const Way& way, double begin, const FieldSample& at
       return;
     }
     --this->SamplesLeft;
-    const FieldSample atMiddle = this->Profile.SampleAt(way.At(middle));
+    const FieldSample atMiddle = this->Envelope.SampleAt(way.At(middle));
     this->Search(way, begin, atBegin, middle, atMiddle);
     this->Search(way, middle, atMiddle, end, atEnd);
     return;
@@ -226,8 +226,8 @@ bool FieldJumpFinder::SearchTie(const Way& way, double begin, const FieldSample&
   {
     return false;
   }
-  const FieldSample atBefore = this->Profile.SampleAt(way.At(before));
-  const FieldSample atAfter = this->Profile.SampleAt(way.At(after));
+  const FieldSample atBefore = this->Envelope.SampleAt(way.At(before));
+  const FieldSample atAfter = this->Envelope.SampleAt(way.At(after));
   if (!HaveOneSource(atBegin, atBefore, way.Length) || !HaveOneSource(atEnd, atAfter, way.Length))
   {
     return false;

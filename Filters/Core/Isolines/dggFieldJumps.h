@@ -6,7 +6,7 @@
 #define dggFieldJumps_h
 
 #include "dggDistanceField.h" // for FieldSample
-#include "dggFaceProfile.h"   // for FaceProfile
+#include "dggFaceEnvelope.h"  // for FaceEnvelope
 
 #include <vector> // for the jumps
 
@@ -47,8 +47,8 @@ public:
   /// Prepares the search in a face. `angle` is the smallest jump of the gradient that is detected,
   /// in radians. If `betweenSources` is true, the jumps are changes of FieldSample::Source instead,
   /// without slits: windows that are too narrow are not stored (dggEdgeWindows.h).
-  FieldJumpFinder(const FaceProfile& profile, double angle, bool betweenSources = false)
-    : Profile(profile)
+  FieldJumpFinder(const FaceEnvelope& envelope, double angle, bool betweenSources = false)
+    : Envelope(envelope)
     , Angle(angle)
     , BetweenSources(betweenSources)
   {
@@ -97,7 +97,7 @@ private:
   /// Sample budget: a jump takes about 40 samples, a face with ridges about a thousand.
   static constexpr int MostSamples = 20000;
 
-  const FaceProfile& Profile;
+  const FaceEnvelope& Envelope;
   const double Angle;
   const bool BetweenSources;
   mutable int SamplesLeft = MostSamples;

@@ -3,7 +3,7 @@
 #include "dggIsolines.h"
 
 #include "dggApolloniusParts.h"
-#include "dggEdgeProfile.h"
+#include "dggEdgeEnvelope.h"
 #include "dggFaceIsolines.h"
 #include "dggProgressPart.h"
 
@@ -25,7 +25,7 @@ constexpr double FacesDone = 0.9;
 /// State that is reused between edges.
 struct EdgeWorker
 {
-  EdgeProfile Profile;
+  EdgeEnvelope Envelope;
   std::vector<double> Roots;
 };
 
@@ -46,11 +46,11 @@ void CrossEdge(const DistanceField& field, const std::vector<double>& levels, Id
   {
     return;
   }
-  worker.Profile.Enter(h);
+  worker.Envelope.Enter(h);
   for (; level != levels.end() && *level <= highest; ++level)
   {
     worker.Roots.clear();
-    worker.Profile.FindCrossings(*level, worker.Roots);
+    worker.Envelope.FindCrossings(*level, worker.Roots);
     for (const double x : worker.Roots)
     {
       crossings.push_back({ h, static_cast<Id>(level - levels.begin()), 0, x });
@@ -66,7 +66,7 @@ Status FindLocalParts(const DistanceField& field, const std::vector<double>& lev
   DGG_RETURN_IF_ERROR(CollectCrossings(
     *field.Mesh, HalfEdgesInBlock, parallel, progress, 0.0, CrossingsDone,
     [&] {
-      return EdgeWorker{ EdgeProfile(field), {} };
+      return EdgeWorker{ EdgeEnvelope(field), {} };
     },
     [&](EdgeWorker& worker, Id h, std::vector<LevelCrossing>& found) {
       CrossEdge(field, levels, h, worker, found);

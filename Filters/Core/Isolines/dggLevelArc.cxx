@@ -48,12 +48,12 @@ Point2 Between(const Point2& a, const Point2& b, double t)
 }
 }
 
-LevelArc::LevelArc(const FaceProfile& profile, double level, double tolerance)
-  : Profile(profile)
+LevelArc::LevelArc(const FaceEnvelope& envelope, double level, double tolerance)
+  : Envelope(envelope)
   , Level(level)
   , Tolerance(tolerance)
 {
-  const std::array<Point2, 3>& corners = profile.GetCorners();
+  const std::array<Point2, 3>& corners = envelope.GetCorners();
   this->Size = std::max({ Distance(corners[0], corners[1]), Distance(corners[1], corners[2]),
     Distance(corners[2], corners[0]) });
   this->Close = Rounding * (std::abs(level) + this->Size);
@@ -61,14 +61,14 @@ LevelArc::LevelArc(const FaceProfile& profile, double level, double tolerance)
 
 LevelPoint LevelArc::Evaluate(const Point2& place) const
 {
-  LevelPoint point{ place, this->Profile.SampleAt(place), false };
+  LevelPoint point{ place, this->Envelope.SampleAt(place), false };
   point.IsOnLevel = std::abs(point.Sample.Distance - this->Level) <= this->Close;
   return point;
 }
 
 bool LevelArc::IsInside(const Point2& place) const
 {
-  const std::array<double, 3> b = this->Profile.BarycentricOf(place);
+  const std::array<double, 3> b = this->Envelope.BarycentricOf(place);
   return std::min({ b[0], b[1], b[2] }) >= -Outside;
 }
 
@@ -273,8 +273,8 @@ bool LevelArc::MeetCandidates(const LevelPoint& from, const LevelPoint& to, Poin
   corner = middle;
   for (int step = 0; step < MostNewtonSteps; ++step)
   {
-    const FieldSample a = this->Profile.SampleOfCandidate(from.Sample, corner);
-    const FieldSample b = this->Profile.SampleOfCandidate(to.Sample, corner);
+    const FieldSample a = this->Envelope.SampleOfCandidate(from.Sample, corner);
+    const FieldSample b = this->Envelope.SampleOfCandidate(to.Sample, corner);
     const double missA = this->Level - a.Distance;
     const double missB = this->Level - b.Distance;
     if (std::max(std::abs(missA), std::abs(missB)) <= 1e-3 * this->Close)

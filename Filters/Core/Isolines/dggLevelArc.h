@@ -5,7 +5,7 @@
 #ifndef dggLevelArc_h
 #define dggLevelArc_h
 
-#include "dggFaceProfile.h" // for FaceProfile
+#include "dggFaceEnvelope.h" // for FaceEnvelope
 
 #include <vector> // for the points
 
@@ -30,7 +30,7 @@ class LevelArc
 public:
   /// Prepares refinement of the isolines of a level. `tolerance` is the largest distance of the
   /// curve from the level set.
-  LevelArc(const FaceProfile& profile, double level, double tolerance);
+  LevelArc(const FaceEnvelope& envelope, double level, double tolerance);
 
   /// Returns the field at a point.
   LevelPoint Evaluate(const Point2& place) const;
@@ -58,7 +58,7 @@ private:
   bool MeetCandidates(const LevelPoint& from, const LevelPoint& to, Point2& corner) const;
   LevelPoint Project(const LevelPoint& from, const LevelPoint& to) const;
 
-  const FaceProfile& Profile;
+  const FaceEnvelope& Envelope;
   double Level;
   double Tolerance;
   double Size;  // size of the face

@@ -37,15 +37,15 @@ std::size_t LevelRim::CountCrossings() const
   return this->Sides[0].size() + this->Sides[1].size() + this->Sides[2].size();
 }
 
-void MarchingTriangles::Build(const FaceProfile& profile, const LevelArc& arc, double level,
+void MarchingTriangles::Build(const FaceEnvelope& envelope, const LevelArc& arc, double level,
   const LevelRim& rim, int cells, const std::vector<Point2>& seeds)
 {
   this->Nodes.clear();
   this->Links.clear();
   this->Triangles.clear();
   this->Chains.clear();
-  this->AddRim(profile, arc, level, rim, cells);
-  this->AddTriangles(profile, arc, level, cells);
+  this->AddRim(envelope, arc, level, rim, cells);
+  this->AddTriangles(envelope, arc, level, cells);
   for (const Point2& seed : seeds)
   {
     this->InsertSeed(arc, level, seed);
@@ -66,9 +66,9 @@ Id MarchingTriangles::AddNode(const LevelArc& arc, double level, const Point2& p
 
 /// Adds the nodes on the boundary, and the crossings between them.
 void MarchingTriangles::AddRim(
-  const FaceProfile& profile, const LevelArc& arc, double level, const LevelRim& rim, int cells)
+  const FaceEnvelope& envelope, const LevelArc& arc, double level, const LevelRim& rim, int cells)
 {
-  const std::array<Point2, 3>& corners = profile.GetCorners();
+  const std::array<Point2, 3>& corners = envelope.GetCorners();
   for (const Point2& corner : corners)
   {
     this->AddNode(arc, level, corner);
@@ -125,9 +125,9 @@ void MarchingTriangles::AddRim(
 }
 
 void MarchingTriangles::AddTriangles(
-  const FaceProfile& profile, const LevelArc& arc, double level, int cells)
+  const FaceEnvelope& envelope, const LevelArc& arc, double level, int cells)
 {
-  const std::array<Point2, 3>& corners = profile.GetCorners();
+  const std::array<Point2, 3>& corners = envelope.GetCorners();
   // Node (i, j) is i steps from corner 0 towards corner 1 and j towards corner 2.
   std::vector<Id> nodes(static_cast<std::size_t>((cells + 1) * (cells + 1)), NoId);
   auto at = [&](int i, int j) -> Id& { return nodes[j * (cells + 1) + i]; };

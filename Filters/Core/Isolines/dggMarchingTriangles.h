@@ -50,7 +50,7 @@ class MarchingTriangles
 public:
   /// Builds the triangulation. `cells` is the number of segments into which each side of the face
   /// is divided. `seeds` are interior points around which small closed curves may lie.
-  void Build(const FaceProfile& profile, const LevelArc& arc, double level, const LevelRim& rim,
+  void Build(const FaceEnvelope& envelope, const LevelArc& arc, double level, const LevelRim& rim,
     int cells, const std::vector<Point2>& seeds);
 
   /// Returns the curves. Curves that end on the boundary come first.
@@ -78,9 +78,9 @@ private:
   using Side = std::pair<Id, Id>; // between two nodes, the lower one first
 
   Id AddNode(const LevelArc& arc, double level, const Point2& place);
-  void AddRim(
-    const FaceProfile& profile, const LevelArc& arc, double level, const LevelRim& rim, int cells);
-  void AddTriangles(const FaceProfile& profile, const LevelArc& arc, double level, int cells);
+  void AddRim(const FaceEnvelope& envelope, const LevelArc& arc, double level, const LevelRim& rim,
+    int cells);
+  void AddTriangles(const FaceEnvelope& envelope, const LevelArc& arc, double level, int cells);
   void AddCell(const LevelArc& arc, double level, const Triangle& corners,
     const std::array<const std::vector<Id>*, 3>& between);
   void InsertSeed(const LevelArc& arc, double level, const Point2& seed);

@@ -153,7 +153,7 @@ private:
   void Merge(Id h, std::vector<Meeting>& meetings);
   void JoinAlong(Id h, Id twin, std::vector<Meeting>& meetings);
   bool IsRidge(double left, double right, bool isMirrored) const;
-  double GradientAngle(FaceProfile& profile, Id h, double x) const;
+  double GradientAngle(FaceEnvelope& envelope, Id h, double x) const;
   void AddPieces(Id f);
 
   const SurfaceMesh& Mesh;
@@ -161,8 +161,8 @@ private:
   const RidgeOptions Options;
   const std::vector<FaceRidges>& Faces;
   RidgeGraph& Graph;
-  FaceProfile Left;
-  FaceProfile Right;
+  FaceEnvelope Left;
+  FaceEnvelope Right;
   std::vector<std::vector<Id>> Nodes; // per face and end
 };
 
@@ -328,7 +328,7 @@ bool EdgeJoiner::IsRidge(double left, double right, bool isMirrored) const
 }
 
 /// Returns the polar angle of the gradient near an edge, within the face.
-double EdgeJoiner::GradientAngle(FaceProfile& profile, Id h, double x) const
+double EdgeJoiner::GradientAngle(FaceEnvelope& envelope, Id h, double x) const
 {
   const int k = h % 3;
   std::array<double, 3> b{};
@@ -336,8 +336,8 @@ double EdgeJoiner::GradientAngle(FaceProfile& profile, Id h, double x) const
   b[(k + 2) % 3] = FaceRidgeFinder::RimInset;
   b[(k + 1) % 3] = t * (1.0 - FaceRidgeFinder::RimInset);
   b[k] = (1.0 - t) * (1.0 - FaceRidgeFinder::RimInset);
-  const Point2 gradient = profile.SampleAt(profile.PlaceOf(b)).Gradient;
-  const Point2 axis = Difference(profile.GetCorners()[(k + 1) % 3], profile.GetCorners()[k]);
+  const Point2 gradient = envelope.SampleAt(envelope.PlaceOf(b)).Gradient;
+  const Point2 axis = Difference(envelope.GetCorners()[(k + 1) % 3], envelope.GetCorners()[k]);
   return std::atan2(Cross(axis, gradient), Dot(axis, gradient));
 }
 

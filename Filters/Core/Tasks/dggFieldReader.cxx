@@ -4,7 +4,7 @@
 
 #include "dggBlockLoop.h"
 #include "dggCounted.h"
-#include "dggFaceProfile.h"
+#include "dggFaceEnvelope.h"
 #include "dggInputArray.h"
 #include "dggMeshQuality.h"
 #include "dggPreparedSurface.h"
@@ -65,7 +65,7 @@ std::string FindFault(const SurfaceMesh& mesh, const std::vector<double>& values
 
 /// Returns the distance at a surface point; NaN if unreached. On an edge this is the smallest
 /// distance of its reached faces, as for isolines: a shortest path may come through any of them.
-double Probe(const DistanceField& field, const SurfacePoint& place, FaceProfile& profile)
+double Probe(const DistanceField& field, const SurfacePoint& place, FaceEnvelope& envelope)
 {
   double distance = Infinity;
   if (place.On == SurfacePoint::Support::Vertex)
@@ -77,8 +77,8 @@ double Probe(const DistanceField& field, const SurfacePoint& place, FaceProfile&
     ForEachFaceAround(*field.Mesh, place, [&](Id f, const std::array<double, 3>& barycentric) {
       if (field.IsReached(f))
       {
-        profile.Enter(f);
-        distance = std::min(distance, profile.At(profile.PlaceOf(barycentric)));
+        envelope.Enter(f);
+        distance = std::min(distance, envelope.At(envelope.PlaceOf(barycentric)));
       }
     });
   }
@@ -224,11 +224,11 @@ Status ProbeField(const TaskContext& context, const DistanceField& field,
 {
   return ForEach((points.size() + BlockSize - 1) / BlockSize, 1, context.Parallel, progress,
     [&](std::size_t block, const ProgressCallback&) {
-      FaceProfile profile(field);
+      FaceEnvelope envelope(field);
       const std::size_t end = std::min(points.size(), (block + 1) * BlockSize);
       for (std::size_t i = block * BlockSize; i < end; ++i)
       {
-        values[i] = Probe(field, points[i], profile);
+        values[i] = Probe(field, points[i], envelope);
       }
       return Status::Success();
     });

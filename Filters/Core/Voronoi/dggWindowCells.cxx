@@ -4,7 +4,7 @@
 
 #include "dggBorderCurves.h"
 #include "dggFaceCells.h"
-#include "dggFaceProfile.h"
+#include "dggFaceEnvelope.h"
 #include "dggPathEdges.h"
 #include "dggProgressPart.h"
 #include "dggRidges.h"
@@ -32,7 +32,7 @@ public:
     : Field(field)
     , Surface(surface)
     , Diagram(diagram)
-    , Profile(field)
+    , Envelope(field)
     , Borders(surface, surface.Paths)
   {
   }
@@ -66,7 +66,7 @@ private:
   const DistanceField& Field;
   const SubMesh& Surface;
   VoronoiDiagram& Diagram;
-  FaceProfile Profile;
+  FaceEnvelope Envelope;
   const PathEdges Borders;
   std::vector<Id> CellOf;           // per face of the surface, a face of its cell
   std::map<Id, Coordinates> Places; // vertices of the pieces of a face
@@ -114,7 +114,7 @@ void CellMaker::Cut(Id face, const std::vector<Id>& pieces)
   const bool isReached = this->Field.IsReached(face);
   if (isReached)
   {
-    this->Profile.Enter(face);
+    this->Envelope.Enter(face);
   }
   this->FindPlaces(face, pieces);
   for (const Id piece : pieces)
@@ -147,7 +147,7 @@ void CellMaker::FindPlaces(Id face, const std::vector<Id>& pieces)
       if (border >= 0 && this->Field.IsReached(face))
       {
         double& distance = this->Diagram.BorderDistances[border];
-        distance = std::min(distance, this->Profile.At(this->Profile.PlaceOf(place->second)));
+        distance = std::min(distance, this->Envelope.At(this->Envelope.PlaceOf(place->second)));
       }
     }
   }
@@ -190,7 +190,7 @@ Id CellMaker::FindSite(const std::vector<Id>& cell) const
       center[k] += corner.Place[k] / 3.0;
     }
   }
-  return this->Profile.SampleAt(this->Profile.PlaceOf(center)).Source;
+  return this->Envelope.SampleAt(this->Envelope.PlaceOf(center)).Source;
 }
 
 /// Adds a cell as one polygon or, if it surrounds another one, as triangles.

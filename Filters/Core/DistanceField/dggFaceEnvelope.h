@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// The distance inside one face.
-#ifndef dggFaceProfile_h
-#define dggFaceProfile_h
+#ifndef dggFaceEnvelope_h
+#define dggFaceEnvelope_h
 
 #include "dggCoreExport.h"    // for DGG_CORE_EXPORT
 #include "dggCornerModel.h"   // for the models of the corners
@@ -14,14 +14,16 @@
 
 namespace dgg
 {
-/// The distance inside a face as a function in the plane, in the frame of half-edge 3f. If the
-/// distance comes from windows or is linear, it equals the distance of EdgeProfile on the boundary
-/// of the face, up to rounding. With models, the distance of EdgeProfile may be shorter, through
-/// another face of the edge. An object can be reused for other faces, which saves allocations.
-class DGG_CORE_EXPORT FaceProfile
+/// The distance inside a face as the lower envelope of its candidates: windows, sources in the
+/// face, and paths through its corners or the models of these; in the plane, in the frame of
+/// half-edge 3f. If the distance comes from windows or is linear, it equals the distance of
+/// EdgeEnvelope on the boundary of the face, up to rounding. With models, the distance of
+/// EdgeEnvelope may be shorter, through another face of the edge. An object can be reused for other
+/// faces, which saves allocations.
+class DGG_CORE_EXPORT FaceEnvelope
 {
 public:
-  explicit FaceProfile(const DistanceField& field)
+  explicit FaceEnvelope(const DistanceField& field)
     : Field(field)
   {
   }

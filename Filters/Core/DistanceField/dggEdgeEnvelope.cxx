@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "dggEdgeProfile.h"
+#include "dggEdgeEnvelope.h"
 
 #include "dggEdges.h"
 #include "dggRootFinding.h"
@@ -39,7 +39,7 @@ constexpr double InsetOfChanges = 1e-6;
 constexpr std::size_t MostChanges = 8;
 }
 
-void EdgeProfile::Enter(Id h)
+void EdgeEnvelope::Enter(Id h)
 {
   const SurfaceMesh& mesh = *this->Field.Mesh;
   const Id representative = FindEdge(mesh, h);
@@ -79,7 +79,7 @@ void EdgeProfile::Enter(Id h)
   double raise = std::max(0.0, std::abs(this->Ends[1] - this->Ends[0]) - this->Length);
   for (std::size_t i = 0; i < this->NumberOfFaces; ++i)
   {
-    raise = std::max(raise, this->Faces[i].Profile.GetLargestRaise());
+    raise = std::max(raise, this->Faces[i].Envelope.GetLargestRaise());
   }
   this->Steepness = 1.0 + raise / this->Length;
   BreakState state;
@@ -87,7 +87,7 @@ void EdgeProfile::Enter(Id h)
   this->BreakStates.assign(this->Breaks.size(), state);
 }
 
-std::vector<double> EdgeProfile::FindPlacesBetweenBreaks(Id h)
+std::vector<double> EdgeEnvelope::FindPlacesBetweenBreaks(Id h)
 {
   this->Enter(h);
   std::vector<double> breaks = this->Breaks;
@@ -105,7 +105,7 @@ std::vector<double> EdgeProfile::FindPlacesBetweenBreaks(Id h)
   return places;
 }
 
-void EdgeProfile::CollectWindows(Id h)
+void EdgeEnvelope::CollectWindows(Id h)
 {
   const bool isSame = this->Field.Mesh->Origin(h) == this->Field.Mesh->Origin(this->HalfEdge);
   for (const EdgeWindow* w = this->Field.Windows->Begin(h); w != this->Field.Windows->End(h); ++w)
@@ -123,7 +123,7 @@ void EdgeProfile::CollectWindows(Id h)
 }
 
 /// Collects the sources in the face of the half-edge, which are visible from the entire edge.
-void EdgeProfile::CollectSources(Id h)
+void EdgeEnvelope::CollectSources(Id h)
 {
   const SurfaceMesh& mesh = *this->Field.Mesh;
   const std::vector<FaceSource>& sources = this->Field.Windows->Sources;
@@ -143,7 +143,7 @@ void EdgeProfile::CollectSources(Id h)
 
 /// Collects the pieces that reach a boundary edge from within its face: the path through the apex,
 /// and the windows of the other two sides.
-void EdgeProfile::CollectThroughFace(Id h)
+void EdgeEnvelope::CollectThroughFace(Id h)
 {
   const SurfaceMesh& mesh = *this->Field.Mesh;
   const Point2 apex = ApexOf(mesh, h);
@@ -181,7 +181,7 @@ void EdgeProfile::CollectThroughFace(Id h)
 
 /// Divides the edge so that between two breaks a single window or source, or the path along the
 /// edge from a single end, is the shortest and monotone.
-void EdgeProfile::FindWindowBreaks()
+void EdgeEnvelope::FindWindowBreaks()
 {
   const std::vector<Piece> paths{ { 0.0, this->Length, {}, this->Ends[0], 0.0 },
     { 0.0, this->Length, { this->Length, 0.0 }, this->Ends[1], 0.0 } };
@@ -216,19 +216,20 @@ void EdgeProfile::FindWindowBreaks()
   this->Breaks.erase(std::unique(this->Breaks.begin(), this->Breaks.end()), this->Breaks.end());
 }
 
-double EdgeProfile::DistanceOf(const Piece& piece, double x)
+double EdgeEnvelope::DistanceOf(const Piece& piece, double x)
 {
   return piece.Offset + DistanceToAxis(piece.Image, x);
 }
 
-const EdgeProfile::Piece& EdgeProfile::ShortestOf(const std::vector<Piece>& pieces, double x) const
+const EdgeEnvelope::Piece& EdgeEnvelope::ShortestOf(
+  const std::vector<Piece>& pieces, double x) const
 {
   return *std::min_element(pieces.begin(), pieces.end(),
     [&](const Piece& a, const Piece& b) { return DistanceOf(a, x) < DistanceOf(b, x); });
 }
 
 /// Finds the changes between two abscissae on pieces that cover the interval between them.
-void EdgeProfile::Divide(
+void EdgeEnvelope::Divide(
   const std::vector<Piece>& pieces, double begin, double end, std::vector<double>& changes) const
 {
   const double inset = InsetOfChanges * (end - begin); // pieces may end at ties
@@ -269,7 +270,7 @@ void EdgeProfile::Divide(
 }
 
 /// Sets up the reached faces of the edge, through which wavefronts arrive.
-void EdgeProfile::SetUpFaces()
+void EdgeEnvelope::SetUpFaces()
 {
   this->NumberOfFaces = 0;
   if (!this->Field.HasSources())
@@ -283,19 +284,19 @@ void EdgeProfile::SetUpFaces()
     {
       if (this->NumberOfFaces == this->Faces.size())
       {
-        this->Faces.push_back({ FaceProfile(this->Field), {}, {} });
+        this->Faces.push_back({ FaceEnvelope(this->Field), {}, {} });
       }
       FaceOfEdge& face = this->Faces[this->NumberOfFaces++];
-      face.Profile.Enter(f);
+      face.Envelope.Enter(f);
       const int k = static_cast<int>(e - 3 * f);
       const bool isSame = mesh.Origin(e) == mesh.Origin(this->HalfEdge);
-      face.From = face.Profile.GetCorners()[isSame ? k : (k + 1) % 3];
-      face.To = face.Profile.GetCorners()[isSame ? (k + 1) % 3 : k];
+      face.From = face.Envelope.GetCorners()[isSame ? k : (k + 1) % 3];
+      face.To = face.Envelope.GetCorners()[isSame ? (k + 1) % 3 : k];
     }
   });
 }
 
-double EdgeProfile::AtBreak(std::size_t i)
+double EdgeEnvelope::AtBreak(std::size_t i)
 {
   BreakState& state = this->BreakStates[i];
   if (!state.HasDistance)
@@ -308,7 +309,7 @@ double EdgeProfile::AtBreak(std::size_t i)
 
 /// Finds and returns the crest between a break and the next one, where two wavefronts meet and the
 /// distance rises from either side.
-const EdgeProfile::BreakState& EdgeProfile::FindCrest(std::size_t i)
+const EdgeEnvelope::BreakState& EdgeEnvelope::FindCrest(std::size_t i)
 {
   BreakState& state = this->BreakStates[i];
   if (state.IsSearched)
@@ -335,7 +336,7 @@ const EdgeProfile::BreakState& EdgeProfile::FindCrest(std::size_t i)
   return state;
 }
 
-double EdgeProfile::At(double x) const
+double EdgeEnvelope::At(double x) const
 {
   if (x <= 0.0 || x >= this->Length)
   {
@@ -362,20 +363,20 @@ double EdgeProfile::At(double x) const
   {
     const FaceOfEdge& face = this->Faces[i];
     least = std::min(least,
-      face.Profile.At(
+      face.Envelope.At(
         { (1.0 - t) * face.From.X + t * face.To.X, (1.0 - t) * face.From.Y + t * face.To.Y }));
   }
   return least;
 }
 
-void EdgeProfile::FindCrossings(double level, std::vector<double>& crossings)
+void EdgeEnvelope::FindCrossings(double level, std::vector<double>& crossings)
 {
   this->CrossBetweenBreaks(level, 0, this->Breaks.size() - 1, crossings);
 }
 
 /// Bisects the interval between two breaks. Skips subintervals that cannot reach the
 /// level, which make up most of an edge.
-void EdgeProfile::CrossBetweenBreaks(
+void EdgeEnvelope::CrossBetweenBreaks(
   double level, std::size_t first, std::size_t last, std::vector<double>& crossings)
 {
   const Probe begin{ this->Breaks[first], this->AtBreak(first) - level };
@@ -404,7 +405,7 @@ void EdgeProfile::CrossBetweenBreaks(
   this->Cross(level, crest, end, crossings);
 }
 
-void EdgeProfile::Cross(
+void EdgeEnvelope::Cross(
   double level, const Probe& begin, const Probe& end, std::vector<double>& crossings) const
 {
   if ((begin.Height >= 0.0) != (end.Height >= 0.0))

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkDGG authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "dggFaceProfile.h"
+#include "dggFaceEnvelope.h"
 
 #include "dggSurfacePoint.h"
 #include "dggUnfolding.h"
@@ -59,7 +59,7 @@ double Raised(
 }
 }
 
-void FaceProfile::Enter(Id f)
+void FaceEnvelope::Enter(Id f)
 {
   if (f == this->Face)
   {
@@ -93,7 +93,7 @@ void FaceProfile::Enter(Id f)
   }
 }
 
-Point2 FaceProfile::PlaceOf(const std::array<double, 3>& barycentric) const
+Point2 FaceEnvelope::PlaceOf(const std::array<double, 3>& barycentric) const
 {
   Point2 p;
   for (int k = 0; k < 3; ++k)
@@ -104,7 +104,7 @@ Point2 FaceProfile::PlaceOf(const std::array<double, 3>& barycentric) const
   return p;
 }
 
-std::array<double, 3> FaceProfile::BarycentricOf(const Point2& p) const
+std::array<double, 3> FaceEnvelope::BarycentricOf(const Point2& p) const
 {
   std::array<double, 3> b{};
   for (int k = 0; k < 3; ++k)
@@ -115,20 +115,20 @@ std::array<double, 3> FaceProfile::BarycentricOf(const Point2& p) const
   return b;
 }
 
-Point2 FaceProfile::InFrameOf(int k, const Point2& p) const
+Point2 FaceEnvelope::InFrameOf(int k, const Point2& p) const
 {
   const Point2 way{ p.X - this->Corners[k].X, p.Y - this->Corners[k].Y };
   return { Dot(this->Axes[k], way), Cross(this->Axes[k], way) };
 }
 
 /// Returns the source of a vertex, or of ~k for source k; NoId if sources are not known.
-Id FaceProfile::SourceOf(Id root) const
+Id FaceEnvelope::SourceOf(Id root) const
 {
   const Id* const sources = this->Field.NearestSource;
   return !sources ? NoId : root < 0 ? ~root : sources[root];
 }
 
-void FaceProfile::CollectWindows()
+void FaceEnvelope::CollectWindows()
 {
   const EdgeWindows& windows = *this->Field.Windows;
   for (int k = 0; k < 3; ++k)
@@ -145,7 +145,7 @@ void FaceProfile::CollectWindows()
   this->FirstWindows[3] = this->Windows.size();
 }
 
-void FaceProfile::CollectSources()
+void FaceEnvelope::CollectSources()
 {
   const std::vector<FaceSource>& sources = this->Field.Windows->Sources;
   auto source = std::lower_bound(sources.begin(), sources.end(), this->Face,
@@ -158,7 +158,7 @@ void FaceProfile::CollectSources()
   }
 }
 
-void FaceProfile::SetUpModels()
+void FaceEnvelope::SetUpModels()
 {
   const SurfaceMesh& mesh = *this->Field.Mesh;
   const VirtualSources& sources = *this->Field.Sources;
@@ -217,7 +217,7 @@ void FaceProfile::SetUpModels()
 /// Finds the images of the source of corner k that are less than pi away from some direction into
 /// the face. Angles are measured on the side of the corner with the smaller angle
 /// (CornerModel::AngleFrom()).
-void FaceProfile::FindSources(int k)
+void FaceEnvelope::FindSources(int k)
 {
   const CornerModel& model = this->Models[k];
   const Id h = 3 * this->Face + k;
@@ -242,7 +242,7 @@ void FaceProfile::FindSources(int k)
 
 /// Returns the straight distance to the source of corner k, and the nearest image; `nearest` is
 /// unchanged if the source lies behind the corner.
-double FaceProfile::DistanceToSource(int k, const Point2& p, int& nearest) const
+double FaceEnvelope::DistanceToSource(int k, const Point2& p, int& nearest) const
 {
   const Point2& corner = this->Corners[k];
   double least = Infinity;
@@ -263,7 +263,7 @@ double FaceProfile::DistanceToSource(int k, const Point2& p, int& nearest) const
   return least;
 }
 
-bool FaceProfile::MayHaveSeveralSources() const
+bool FaceEnvelope::MayHaveSeveralSources() const
 {
   const std::array<Id, 3> corners = this->Field.Mesh->GetTriangle(this->Face);
   const Id first = this->SourceOf(corners[0]);
@@ -273,7 +273,7 @@ bool FaceProfile::MayHaveSeveralSources() const
     std::any_of(this->Sources.begin(), this->Sources.end(), isOther);
 }
 
-double FaceProfile::GetLargestRaise() const
+double FaceEnvelope::GetLargestRaise() const
 {
   double raise = 0.0;
   for (int k = 0; k < 3; ++k)
@@ -283,7 +283,7 @@ double FaceProfile::GetLargestRaise() const
   return raise;
 }
 
-bool FaceProfile::MayHavePeak() const
+bool FaceEnvelope::MayHavePeak() const
 {
   std::vector<Point2> images;
   for (const SeenWindow& window : this->Windows)
@@ -319,7 +319,7 @@ bool FaceProfile::MayHavePeak() const
   return std::min({ largest[0], largest[1], largest[2] }) > 0.0;
 }
 
-FieldSample FaceProfile::SampleAt(const Point2& p) const
+FieldSample FaceEnvelope::SampleAt(const Point2& p) const
 {
   if (this->Field.HasWindows())
   {
@@ -334,7 +334,7 @@ FieldSample FaceProfile::SampleAt(const Point2& p) const
 }
 
 /// Returns the field of the path through a corner.
-FieldSample FaceProfile::FromCorner(int k, const Point2& p) const
+FieldSample FaceEnvelope::FromCorner(int k, const Point2& p) const
 {
   FieldSample sample = FromSource(this->Corners[k], this->Distances[k], p);
   sample.Candidate = k;
@@ -342,7 +342,7 @@ FieldSample FaceProfile::FromCorner(int k, const Point2& p) const
   return sample;
 }
 
-FieldSample FaceProfile::FromWindows(const Point2& p) const
+FieldSample FaceEnvelope::FromWindows(const Point2& p) const
 {
   FieldSample best;
   for (int k = 0; k < 3; ++k)
@@ -394,7 +394,7 @@ FieldSample FaceProfile::FromWindows(const Point2& p) const
 
 /// Returns the smaller of the raised model of a corner and the raised path through the corner
 /// (dggDistanceField.h).
-FaceProfile::Wave FaceProfile::FromModel(
+FaceEnvelope::Wave FaceEnvelope::FromModel(
   int k, const Point2& p, const std::array<double, 3>& barycentric) const
 {
   Wave wave;
@@ -423,7 +423,7 @@ FaceProfile::Wave FaceProfile::FromModel(
 }
 
 /// Returns the field of one candidate of the models; undefined for NoId.
-FieldSample FaceProfile::SampleOf(
+FieldSample FaceEnvelope::SampleOf(
   Id candidate, const Point2& p, const std::array<double, 3>& b) const
 {
   if (candidate == NoId)
@@ -452,7 +452,7 @@ FieldSample FaceProfile::SampleOf(
   return sample;
 }
 
-FaceProfile::Wave FaceProfile::FindNearest(
+FaceEnvelope::Wave FaceEnvelope::FindNearest(
   const Point2& p, const std::array<double, 3>& barycentric) const
 {
   Wave best;
@@ -477,13 +477,13 @@ FaceProfile::Wave FaceProfile::FindNearest(
   return best;
 }
 
-double FaceProfile::At(const Point2& p) const
+double FaceEnvelope::At(const Point2& p) const
 {
   return this->HasModels ? this->FindNearest(p, this->BarycentricOf(p)).Distance
                          : this->SampleAt(p).Distance;
 }
 
-FieldSample FaceProfile::FromLowerBound(int k, const Point2& p) const
+FieldSample FaceEnvelope::FromLowerBound(int k, const Point2& p) const
 {
   const Point2 way = Difference(this->Corners[k], p);
   const double length = Norm(way.X, way.Y);
@@ -494,13 +494,13 @@ FieldSample FaceProfile::FromLowerBound(int k, const Point2& p) const
   return sample;
 }
 
-FieldSample FaceProfile::SampleOfCandidate(const FieldSample& sample, const Point2& p) const
+FieldSample FaceEnvelope::SampleOfCandidate(const FieldSample& sample, const Point2& p) const
 {
   return sample.HasImage ? FromSource(sample.Image, sample.Offset, p)
                          : this->SampleOf(sample.Candidate, p, this->BarycentricOf(p));
 }
 
-FieldSample FaceProfile::Linear(const Point2& p) const
+FieldSample FaceEnvelope::Linear(const Point2& p) const
 {
   const std::array<double, 3> b = this->BarycentricOf(p);
   FieldSample sample;

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// The distance along one edge.
-#ifndef dggEdgeProfile_h
-#define dggEdgeProfile_h
+#ifndef dggEdgeEnvelope_h
+#define dggEdgeEnvelope_h
 
 #include "dggCoreExport.h"    // for DGG_CORE_EXPORT
 #include "dggDistanceField.h" // for DistanceField
-#include "dggFaceProfile.h"   // for the faces of an edge
+#include "dggFaceEnvelope.h"  // for the faces of an edge
 
 #include <array>   // for the ends
 #include <cstddef> // for std::size_t
@@ -15,16 +15,17 @@
 
 namespace dgg
 {
-/// The distance along an edge as a function of one variable. The function depends on the edge only,
+/// The distance along an edge as the lower envelope of the candidates of its faces, a function of
+/// one variable with breaks and crossings. The function depends on the edge only,
 /// not on the face from which the function is evaluated, so that results are bitwise identical for
 /// all faces of the edge. An object can be reused for other edges, which saves allocations.
 ///
 /// With windows, the cost of Enter() is quadratic in the number of windows and sources in the faces
 /// of the edge. This number is small, except for faces with hundreds of sources.
-class DGG_CORE_EXPORT EdgeProfile
+class DGG_CORE_EXPORT EdgeEnvelope
 {
 public:
-  explicit EdgeProfile(const DistanceField& field)
+  explicit EdgeEnvelope(const DistanceField& field)
     : Field(field)
   {
   }
@@ -68,7 +69,7 @@ private:
   /// A face through which wavefronts arrive at the edge.
   struct FaceOfEdge
   {
-    FaceProfile Profile;
+    FaceEnvelope Envelope;
     Point2 From; // ends of the edge in the frame of the face
     Point2 To;
   };
