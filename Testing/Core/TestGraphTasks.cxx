@@ -130,6 +130,10 @@ TEST(GraphDistances, InsideCoarseTriangles)
   const dgg::DistanceTask limited = find(true, 1);
   EXPECT_TRUE(limited.Windows.IsEmpty());
   EXPECT_NE(limited.QualityWarning.find("MemoryLimit"), std::string::npos);
+  EXPECT_NE( // all triangles are coarse; these are on the long sides of the box
+    limited.QualityWarning.find("inside 96 triangles (largest cells: 36, 37, 44)"),
+    std::string::npos)
+    << limited.QualityWarning;
 }
 
 /// On such triangles cells are exact as well, unless borders are not refined.

@@ -97,7 +97,8 @@ Status FindGraphDistances(const TaskContext& context, GraphSession& graph, Searc
     {
       return status;
     }
-    task.QualityWarning = DescribeMissingWindows(status);
+    task.QualityWarning = DescribeMissingWindows(
+      context.Surface, graph.GetLinkAccuracy(), result.Distances, ErrorInsideTriangles, status);
   }
   if (task.WantVirtualSource)
   {

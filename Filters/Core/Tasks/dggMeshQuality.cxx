@@ -2,10 +2,34 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggMeshQuality.h"
 
+#include "dggCounted.h"
+#include "dggSurfaceOutput.h"
+
 #include <algorithm>
+#include <array>
+#include <cstddef>
+#include <utility>
 
 namespace dgg
 {
+namespace
+{
+/// Number of triangles that a warning names.
+constexpr std::size_t NamedTriangles = 3;
+
+double GetPerimeter(const SurfaceMesh& mesh, Id f)
+{
+  return mesh.Length(3 * f) + mesh.Length(3 * f + 1) + mesh.Length(3 * f + 2);
+}
+
+/// Returns the largest distance of a corner.
+double FindFarthest(const SurfaceMesh& mesh, Id f, const std::vector<double>& distances)
+{
+  const std::array<Id, 3> corners = mesh.GetTriangle(f);
+  return std::max({ distances[corners[0]], distances[corners[1]], distances[corners[2]] });
+}
+}
+
 void ReachedTriangles::Add(const SurfaceMesh& mesh, Id f, const std::vector<double>& distances)
 {
   const std::array<Id, 3> corners = mesh.GetTriangle(f);
@@ -19,8 +43,7 @@ void ReachedTriangles::Add(const SurfaceMesh& mesh, Id f, const std::vector<doub
   this->Farthest = std::max(this->Farthest, farthest);
   const double twice = mesh.Length(3 * f) * mesh.ApexY(3 * f);
   this->Area += twice;
-  this->WeightedPerimeter +=
-    twice * (mesh.Length(3 * f) + mesh.Length(3 * f + 1) + mesh.Length(3 * f + 2));
+  this->WeightedPerimeter += twice * GetPerimeter(mesh, f);
 }
 
 void ReachedTriangles::Add(const ReachedTriangles& piece)
@@ -41,5 +64,35 @@ bool HasCoarseTriangles(const PreparedSurface& surface, double accuracy,
     reached.Add(mesh, f, distances);
   }
   return HasLongTriangles(surface) || reached.AreCoarse(accuracy, error);
+}
+
+std::string DescribeMissingWindows(const PreparedSurface& surface, double accuracy,
+  const std::vector<double>& distances, double error, const Status& status)
+{
+  const SurfaceMesh& mesh = surface.GetMesh();
+  std::vector<Id> coarse;
+  for (Id f = 0; f < mesh.GetNumberOfFaces(); ++f)
+  {
+    const double farthest = distances.empty() ? 0.0 : FindFarthest(mesh, f, distances);
+    if (!mesh.IsDropped(f) && accuracy * farthest < error * GetPerimeter(mesh, f) / 3.0)
+    {
+      coarse.push_back(f);
+    }
+  }
+  const std::size_t named = std::min(coarse.size(), NamedTriangles);
+  std::partial_sort(coarse.begin(), coarse.begin() + static_cast<std::ptrdiff_t>(named),
+    coarse.end(), [&](Id f, Id g) {
+      return std::make_pair(-GetPerimeter(mesh, f), f) < std::make_pair(-GetPerimeter(mesh, g), g);
+    });
+  std::string places = coarse.empty() ? "triangles" : Counted(coarse.size(), "triangle");
+  for (std::size_t i = 0; i < named; ++i)
+  {
+    places += JoinText(i == 0 ? " (largest cells: " : ", ", GetOriginalCell(surface, coarse[i]),
+      i + 1 == named ? ")" : "");
+  }
+  const bool isOutOfMemory = status.GetCode() == Status::Code::OutOfMemory;
+  return JoinText(isOutOfMemory ? "Windows need more than {MemoryLimit}" : "Windows were not found",
+    ", so errors may exceed the accuracy of the graph inside ", places, ". ",
+    isOutOfMemory ? "Increase {MemoryLimit} or remesh the surface" : "Remesh the surface");
 }
 }

@@ -93,14 +93,11 @@ constexpr const char* LongTrianglesHideSources =
 /// @}
 
 /// Returns the warning if exact distances fail on coarse triangles, so that the graph is used.
-inline std::string DescribeMissingWindows(const Status& status)
-{
-  return status.GetCode() == Status::Code::OutOfMemory
-    ? "Windows need more than {MemoryLimit}, so errors inside triangles may exceed the accuracy of "
-      "the graph. Increase {MemoryLimit} or remesh the surface"
-    : "Windows were not found, so errors inside triangles may exceed the accuracy of the graph. "
-      "Remesh the surface";
-}
+/// Names the triangles whose errors may exceed the accuracy: those with a mean edge e so that
+/// `error` * e is more than the accuracy times the largest distance of a corner, or all triangles
+/// if there are no distances.
+DGG_CORE_EXPORT std::string DescribeMissingWindows(const PreparedSurface& surface, double accuracy,
+  const std::vector<double>& distances, double error, const Status& status);
 
 /// Warning for results that did not converge (PropagationResult::IsSettled).
 constexpr const char* UnsettledDistances =

@@ -89,7 +89,8 @@ Status FindExactCells(const TaskContext& context, double accuracy, const Progres
   }
   else
   {
-    result.QualityWarning = DescribeMissingWindows(status);
+    result.QualityWarning = DescribeMissingWindows(
+      context.Surface, accuracy, result.Diagram.Distances, ErrorAtBorders, status);
   }
   return status.IsAborted() ? status : Status::Success();
 }
