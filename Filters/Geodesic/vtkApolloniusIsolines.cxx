@@ -43,8 +43,7 @@ public:
     vtkInformationVector* outputVector) override;
   bool CanDistribute() const override
   {
-    return this->Self->Method != Apollonius && !this->Self->GenerateRidges &&
-      !this->Self->GenerateBands;
+    return this->Self->Method != Apollonius && !this->Self->GenerateBands;
   }
   dgg::Status ExecutePiece(
     const DGGContext& context, const DGGPieceUpdate& update, bool& isDone) override;
@@ -211,9 +210,12 @@ dgg::Status vtkApolloniusIsolines::vtkInternals::ExecutePiece(
   struct
   {
     double ChordTolerance;
+    double MinimumRidgeAngle;
     double UnreachedValue;
     bool IsLinear;
-  } first{ this->Self->ChordTolerance, this->Self->UnreachedValue, this->Self->Method == Linear };
+    bool WithRidges;
+  } first{ this->Self->ChordTolerance, this->Self->MinimumRidgeAngle, this->Self->UnreachedValue,
+    this->Self->Method == Linear, this->Self->GenerateRidges };
   dgg::IsolineTaskOptions options = this->MakeOptions();
   DGG_RETURN_IF_ERROR(group.TakeFromFirst(first));
   DGG_RETURN_IF_ERROR(group.TakeListFromFirst(options.Values));
@@ -226,18 +228,25 @@ dgg::Status vtkApolloniusIsolines::vtkInternals::ExecutePiece(
     return dgg::Status::Success();
   }
   options.ChordTolerance = first.ChordTolerance;
-  options.MeanEdgeLength = this->PieceField.GetSurface().GetMeanEdgeLength();
+  options.MinimumRidgeAngle = first.MinimumRidgeAngle;
+  options.WithRidges = first.WithRidges && !first.IsLinear;
   const DGGContext onPiece = this->PieceField.MakeContext(context);
   const dgg::DistanceField field = this->PieceField.GetField();
   dgg::IsolineResult result;
-  DGG_RETURN_IF_ERROR(dgg::FindIsolines(
-    onPiece, field, options, dgg::ProgressPart(context.Progress, ReadingShare, 1.0), result));
+  dgg::FieldPieces pieces = this->PieceField.GetSurface().MakeFieldPieces(group);
+  DGG_RETURN_IF_ERROR(dgg::FindIsolines(onPiece, field, options,
+    dgg::ProgressPart(context.Progress, ReadingShare, 1.0), result, &pieces));
+  options.WithRidges = first.WithRidges;
+  if (group.Here == 0 && first.IsLinear)
+  {
+    this->Warn(dgg::DescribeRidges(options, this->PieceField.GetReader()));
+  }
   std::string warning;
   DGG_RETURN_IF_ERROR(dgg::DescribeMissingLines(group, options,
     this->PieceField.GetReader().FindRange(), !result.Lines.Lines.empty(), warning));
   this->WarnAboutNoLine(warning);
   this->Self->UsedVirtualSources = !first.IsLinear;
-  this->Self->NumberOfFallbacks = result.Lines.Fallbacks;
+  this->Self->NumberOfFallbacks = result.Lines.Fallbacks + result.Ridges.Fallbacks;
   return this->FillOutputs(onPiece, options.Values, result, this->PieceField.GetName(),
     update.Outputs, &this->PieceField.GetSurface());
 }

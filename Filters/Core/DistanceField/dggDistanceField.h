@@ -39,8 +39,9 @@ struct DistanceField
   const VirtualSources* Sources = nullptr; ///< may be null or empty; used when there are no windows
   /// Per vertex, the index of the nearest source; only needed for FieldSample::Source.
   const Id* NearestSource = nullptr;
-  /// Per face, 1 if another process traces lines in the face. May be null.
-  const std::uint8_t* IsGhost = nullptr;
+  /// Per face, the layer of cells of other processes around the piece of this process that the face
+  /// is in: 0 in the piece, 1 at its points, and so on. May be null.
+  const std::uint8_t* Layers = nullptr;
 
   bool HasWindows() const { return this->Windows && !this->Windows->IsEmpty(); }
   bool HasSources() const
@@ -54,10 +55,11 @@ struct DistanceField
       this->Distances[this->Mesh->Origin(3 * f + 1)] < Infinity &&
       this->Distances[this->Mesh->Origin(3 * f + 2)] < Infinity;
   }
-  /// Returns true if lines are traced in the face.
-  bool IsTraced(Id f) const
+  /// Returns true if the distance is defined in the face and the face is in the piece of this
+  /// process, or in the layers around the piece up to `layer`.
+  bool IsTraced(Id f, int layer = 0) const
   {
-    return this->IsReached(f) && !(this->IsGhost && this->IsGhost[f] != 0);
+    return this->IsReached(f) && !(this->Layers && this->Layers[f] > layer);
   }
 };
 

@@ -3,8 +3,10 @@
 #include "dggRidges.h"
 
 #include "dggBlockLoop.h"
+#include "dggDisjointSets.h"
 #include "dggEdges.h"
 #include "dggFaceRidges.h"
+#include "dggFieldPieces.h"
 #include "dggPieceChains.h"
 #include "dggProgressPart.h"
 
@@ -30,28 +32,38 @@ constexpr double MergeDistance = 1e-4;
 class RidgeGraph
 {
 public:
-  explicit RidgeGraph(const SurfaceMesh& mesh)
+  RidgeGraph(const SurfaceMesh& mesh, double longestEdge)
     : Mesh(mesh)
     , NodeOfVertex(mesh.GetNumberOfVertices(), NoId)
+    , NoAngle(longestEdge)
   {
   }
 
-  Id AddNode(const SurfacePoint& point)
+  /// Adds a node with its index among the nodes of its edge.
+  Id AddNode(const SurfacePoint& point, Offset rank = 0)
   {
     Id own = NoId;
     Id& node = IsVertex(point) ? this->NodeOfVertex[point.Vertex] : own;
     if (node == NoId)
     {
       node = static_cast<Id>(this->Nodes.size());
-      this->Nodes.push_back(point);
+      this->Nodes.push_back({ point, rank });
     }
     return node;
   }
 
-  /// Adds an arc in a face, unless it is empty.
-  void AddArc(Id from, Id to, Id face, double angle, std::vector<SurfacePoint> between)
+  /// Adds an arc in a face, unless it is empty. Arcs of other processes only have ends.
+  void AddArc(Id from, Id to, Id face, double angle, std::vector<SurfacePoint> between, bool isOwn)
   {
-    if (from != to || !between.empty())
+    if (from == to && between.empty())
+    {
+      return;
+    }
+    for (const Id node : { from, to })
+    {
+      ++(isOwn ? this->Nodes[node].OwnArcs : this->Nodes[node].OtherArcs);
+    }
+    if (isOwn)
     {
       this->Ends.push_back({ { from, to } });
       this->Arcs.push_back({ face, angle, std::move(between) });
@@ -62,13 +74,32 @@ public:
   /// closed.
   void MakeLines(Ridges& ridges) const
   {
-    for (const PieceChain& chain : JoinPieces(this->Ends))
+    std::vector<std::array<Id, 2>> ends = this->Ends;
+    for (std::size_t i = 0; i < 2 * ends.size(); ++i)
+    {
+      Id& end = ends[i / 2][i % 2];
+      if (this->Nodes[end].OwnArcs == 2 && this->Nodes[end].OtherArcs > 0)
+      {
+        end = -1 - static_cast<Id>(i); // unique, so that no arcs are joined here
+      }
+    }
+    for (const PieceChain& chain : JoinPieces(ends))
     {
       this->AddLine(chain, ridges);
     }
   }
 
 private:
+  struct Node
+  {
+    SurfacePoint Point;
+    Offset Rank;
+    ///@{
+    // Number of arcs of this process and of other ones.
+    Id OwnArcs = 0;
+    Id OtherArcs = 0;
+    ///@}
+  };
   struct Arc
   {
     Id Face;
@@ -76,44 +107,76 @@ private:
     std::vector<SurfacePoint> Between;
   };
 
+  Id EndOf(const PiecePassage& passage, bool isLast) const
+  {
+    return this->Ends[passage.Piece][passage.IsBackward == isLast ? 0 : 1];
+  }
+
+  /// Returns the joint at which the line that ends at a node continues.
+  RidgePart::Joint MakeJoint(const Node& node) const
+  {
+    if (node.OwnArcs != 1 || node.OtherArcs != 1)
+    {
+      return {};
+    }
+    if (IsVertex(node.Point))
+    {
+      return { node.Point.Vertex, node.Point.Vertex, 0 };
+    }
+    const Id from = this->Mesh.Origin(node.Point.HalfEdge);
+    const Id to = this->Mesh.Destination(node.Point.HalfEdge);
+    return { std::min(from, to), std::max(from, to), node.Rank };
+  }
+
   void AddLine(const PieceChain& chain, Ridges& ridges) const
   {
     SurfacePath line;
-    double turned = 0.0;
+    RidgePart part;
+    part.Angle = this->NoAngle;
     for (const PiecePassage& passage : chain.Passages)
     {
       const Arc& arc = this->Arcs[passage.Piece];
-      const std::array<Id, 2>& ends = this->Ends[passage.Piece];
       if (line.Points.empty())
       {
-        line.Points.push_back(this->Nodes[ends[passage.IsBackward ? 1 : 0]]);
+        line.Points.push_back(this->Nodes[this->EndOf(passage, false)].Point);
       }
-      const double before = line.Length;
       const std::size_t count = arc.Between.size();
       for (std::size_t i = 0; i <= count; ++i)
       {
-        const SurfacePoint& point = i == count ? this->Nodes[ends[passage.IsBackward ? 0 : 1]]
+        const SurfacePoint& point = i == count ? this->Nodes[this->EndOf(passage, true)].Point
           : passage.IsBackward                 ? arc.Between[count - 1 - i]
                                                : arc.Between[i];
-        if (line.Append(this->Mesh, point, arc.Face) == 0.0)
+        const double length = line.Append(this->Mesh, point, arc.Face);
+        if (length == 0.0)
         {
-          // Duplicate point; the later one is the node.
-          line.Points.erase(line.Points.end() - 2);
+          // Duplicate point; keep the node, in either direction of the line.
+          line.Points.erase(line.Points.end() - (i == count ? 2 : 1));
           line.Faces.pop_back();
         }
+        else
+        {
+          part.Angle.Add(length, arc.Angle);
+        }
       }
-      turned += (line.Length - before) * arc.Angle;
     }
     if (line.Length > 0.0)
     {
-      ridges.Angles.push_back(turned / line.Length);
+      part.Line = static_cast<Id>(ridges.Lines.size());
+      ridges.Angles.push_back(part.Angle.GetMean());
       ridges.Lines.push_back(std::move(line));
+    }
+    part.Ends = { { this->MakeJoint(this->Nodes[this->EndOf(chain.Passages.front(), false)]),
+      this->MakeJoint(this->Nodes[this->EndOf(chain.Passages.back(), true)]) } };
+    if (part.Ends[0].Low != NoId || part.Ends[1].Low != NoId)
+    {
+      ridges.Parts.push_back(part);
     }
   }
 
   const SurfaceMesh& Mesh;
   std::vector<Id> NodeOfVertex;
-  std::vector<SurfacePoint> Nodes;
+  const RidgeAngleSum NoAngle;
+  std::vector<Node> Nodes;
   std::vector<std::array<Id, 2>> Ends; // end nodes of the arcs
   std::vector<Arc> Arcs;
 };
@@ -238,6 +301,7 @@ void EdgeJoiner::Merge(Id h, std::vector<Meeting>& meetings)
   std::stable_sort(
     meetings.begin(), meetings.end(), [](const Meeting& a, const Meeting& b) { return a.X < b.X; });
   std::vector<Meeting> alone;
+  Offset rank = 0;
   std::vector<bool> isDone(meetings.size(), false);
   for (std::size_t i = 0; i < meetings.size(); ++i)
   {
@@ -260,7 +324,7 @@ void EdgeJoiner::Merge(Id h, std::vector<Meeting>& meetings)
     const std::size_t first = *std::min_element(group.begin(), group.end(),
       [&](std::size_t a, std::size_t b) { return meetings[a].Face < meetings[b].Face; });
     const Id node =
-      this->Graph.AddNode(SurfacePoint::OnEdge(this->Mesh, h, meetings[first].X / length));
+      this->Graph.AddNode(SurfacePoint::OnEdge(this->Mesh, h, meetings[first].X / length), rank++);
     for (const std::size_t g : group)
     {
       isDone[g] = true;
@@ -312,7 +376,8 @@ void EdgeJoiner::JoinAlong(Id h, Id twin, std::vector<Meeting>& meetings)
       }
       const double opposite = isMirrored ? -atRight : atRight + Pi;
       this->Graph.AddArc(nodes[0], nodes[1], SurfaceMesh::Face(h),
-        std::abs(std::remainder(atLeft - opposite, 2.0 * Pi)), {});
+        std::abs(std::remainder(atLeft - opposite, 2.0 * Pi)), {},
+        this->Field.IsTraced(SurfaceMesh::Face(h)));
       ++i;
     }
   }
@@ -369,13 +434,74 @@ void EdgeJoiner::AddPieces(Id f)
       between.push_back(point(b));
     }
     this->Graph.AddArc(nodes[piece.From], nodes[piece.To], f,
-      0.5 * (face.Ends[piece.From].Angle + face.Ends[piece.To].Angle), std::move(between));
+      0.5 * (face.Ends[piece.From].Angle + face.Ends[piece.To].Angle), std::move(between),
+      this->Field.IsTraced(f));
   }
+}
+
+/// Replaces the angles of lines that continue in other parts by those of the entire ridges.
+Status JoinParts(FieldPieces& pieces, Ridges& ridges)
+{
+  for (RidgePart& part : ridges.Parts)
+  {
+    for (RidgePart::Joint& joint : part.Ends)
+    {
+      if (joint.Low != NoId)
+      {
+        joint = { pieces.GetPointId(static_cast<Id>(joint.Low)),
+          pieces.GetPointId(static_cast<Id>(joint.High)), joint.Rank };
+      }
+    }
+  }
+  std::vector<std::vector<RidgePart>> lists;
+  DGG_RETURN_IF_ERROR(pieces.Group.ShareList(ridges.Parts, lists));
+  std::vector<RidgePart> parts;
+  std::size_t firstHere = 0;
+  for (int process = 0; process < pieces.Group.Count; ++process)
+  {
+    firstHere = process == pieces.Group.Here ? parts.size() : firstHere;
+    parts.insert(parts.end(), lists[process].begin(), lists[process].end());
+  }
+  std::vector<std::pair<RidgePart::Joint, Id>> ends;
+  for (std::size_t i = 0; i < 2 * parts.size(); ++i)
+  {
+    if (parts[i / 2].Ends[i % 2].Low != NoId)
+    {
+      ends.emplace_back(parts[i / 2].Ends[i % 2], static_cast<Id>(i / 2));
+    }
+  }
+  std::sort(ends.begin(), ends.end());
+  DisjointSets sets(parts.size());
+  for (std::size_t i = 1; i < ends.size(); ++i)
+  {
+    if (ends[i].first == ends[i - 1].first)
+    {
+      sets.Join(ends[i].second, ends[i - 1].second);
+    }
+  }
+  for (std::size_t i = 0; i < parts.size(); ++i)
+  {
+    const Id first = sets.Find(static_cast<Id>(i)); // the smallest index
+    if (first != static_cast<Id>(i))
+    {
+      parts[first].Angle.Add(parts[i].Angle);
+    }
+  }
+  for (std::size_t i = 0; i < ridges.Parts.size(); ++i)
+  {
+    if (ridges.Parts[i].Line != NoId)
+    {
+      const Id first = sets.Find(static_cast<Id>(firstHere + i));
+      ridges.Angles[ridges.Parts[i].Line] = parts[first].Angle.GetMean();
+    }
+  }
+  return Status::Success();
 }
 }
 
 Status FindRidges(const DistanceField& field, const RidgeOptions& options,
-  const ParallelFor& parallel, const ProgressCallback& progress, Ridges& ridges)
+  const ParallelFor& parallel, const ProgressCallback& progress, Ridges& ridges,
+  FieldPieces* pieces)
 {
   ridges = Ridges();
   DGG_RETURN_IF_ERROR(CheckCorners(*field.Mesh));
@@ -393,19 +519,23 @@ Status FindRidges(const DistanceField& field, const RidgeOptions& options,
     count, FacesInBlock, parallel, ProgressPart(progress, 0.0, FacesDone),
     [&] { return FaceRidgeFinder(field, limited); },
     [&](FaceRidgeFinder& finder, Offset block, Offset begin, Offset end) {
-      const Id before = finder.GetNumberOfFallbacks();
       for (Id f = static_cast<Id>(begin); f < static_cast<Id>(end); ++f)
       {
-        if (field.IsReached(f))
+        if (field.IsTraced(f, 1)) // all faces at the points of the piece
         {
+          const Id before = finder.GetNumberOfFallbacks();
           finder.Find(f, faces[f]);
+          fallbacks[block] += field.IsTraced(f) ? finder.GetNumberOfFallbacks() - before : 0;
         }
       }
-      fallbacks[block] = finder.GetNumberOfFallbacks() - before;
     }));
-  RidgeGraph graph(*field.Mesh);
+  RidgeGraph graph(*field.Mesh, pieces ? pieces->LongestEdge : field.Mesh->GetMaximumEdgeLength());
   EdgeJoiner(field, limited, faces, graph).Run();
   graph.MakeLines(ridges);
+  if (pieces)
+  {
+    DGG_RETURN_IF_ERROR(JoinParts(*pieces, ridges));
+  }
   for (const Id number : fallbacks)
   {
     ridges.Fallbacks += number;

@@ -7,13 +7,19 @@
 
 #include "dggCoreExport.h"    // for DGG_CORE_EXPORT
 #include "dggDistanceField.h" // for DistanceField
+#include "dggEdges.h"         // for LengthSum
 #include "dggParallel.h"      // for ParallelFor
 #include "dggSurfacePath.h"   // for SurfacePath
 
-#include <vector> // for the lines
+#include <algorithm> // for std::max
+#include <array>     // for the ends of parts
+#include <tuple>     // for their order
+#include <vector>    // for the lines
 
 namespace dgg
 {
+struct FieldPieces;
+
 struct RidgeOptions
 {
   /// Minimum angle between the directions to the source on both sides of a ridge, radians. On a
@@ -30,6 +36,61 @@ struct RidgeOptions
   bool BetweenSources = false;
 };
 
+/// Mean angle of the segments of a ridge, weighted by length. Does not depend on their order.
+class RidgeAngleSum
+{
+public:
+  /// `longest` is at least as long as each segment, and the same for sums that are added.
+  explicit RidgeAngleSum(double longest = 0.0)
+    : Lengths(Pi * longest)
+    , Angles(Pi * longest)
+    , Least(1e-15 * longest)
+  {
+  }
+
+  void Add(double length, double angle)
+  {
+    const double weight = std::max(this->Least, length);
+    this->Lengths.Add(weight);
+    this->Angles.Add(weight * angle);
+  }
+  void Add(const RidgeAngleSum& other)
+  {
+    this->Lengths.Add(other.Lengths);
+    this->Angles.Add(other.Angles);
+  }
+  double GetMean() const { return this->Angles.GetMean() / this->Lengths.GetMean(); }
+
+private:
+  LengthSum Lengths;
+  LengthSum Angles; // times lengths
+  double Least;     // smallest weight; does not round to zero
+};
+
+/// A ridge line that ends where pieces of the surface meet and continues on another process, or in
+/// another part on the same process.
+struct RidgePart
+{
+  /// A point at which exactly two parts meet: at a vertex, or on an edge between two vertices.
+  struct Joint
+  {
+    Offset Low = NoId; ///< vertices; NoId at an end of the ridge
+    Offset High = NoId;
+    Offset Rank = 0; ///< index among the ridge points of the edge
+
+    bool operator<(const Joint& other) const
+    {
+      return std::tie(this->Low, this->High, this->Rank) <
+        std::tie(other.Low, other.High, other.Rank);
+    }
+    bool operator==(const Joint& other) const { return !(*this < other) && !(other < *this); }
+  };
+
+  std::array<Joint, 2> Ends;
+  RidgeAngleSum Angle;
+  Id Line = NoId; ///< index into Ridges::Lines; NoId if the part has no length
+};
+
 /// Polylines on a surface that meet only at their ends.
 struct Ridges
 {
@@ -38,6 +99,7 @@ struct Ridges
   /// Number of pieces within a face that may exceed the tolerance, for example where the field is
   /// discontinuous.
   Id Fallbacks = 0;
+  std::vector<RidgePart> Parts; ///< without the angles of other processes
 };
 
 /// Finds the ridges (the cut locus) of a distance: the points with at least two shortest paths.
@@ -50,8 +112,13 @@ struct Ridges
 /// virtual sources, only ridges of large angles are found, with gaps.
 ///
 /// The result does not depend on `parallel`. After a failure, `ridges` must not be used.
+///
+/// If several processes have pieces of the surface, all of them must call the function. They need
+/// two layers of cells around their pieces. Lines then end where pieces meet, and their angles are
+/// those of the entire ridges.
 DGG_CORE_EXPORT Status FindRidges(const DistanceField& field, const RidgeOptions& options,
-  const ParallelFor& parallel, const ProgressCallback& progress, Ridges& ridges);
+  const ParallelFor& parallel, const ProgressCallback& progress, Ridges& ridges,
+  FieldPieces* pieces = nullptr);
 }
 
 #endif

@@ -327,6 +327,7 @@ Status SurfaceRegion::Grow(ProcessGroup& group, int layers, bool isNeeded, doubl
     {
       this->Rim.clear();
     }
+    this->LayerBegins.push_back(this->Cells.size());
     for (const Message& message : messages)
     {
       this->AddCells(message);
@@ -524,7 +525,9 @@ RegionPolygons SurfaceRegion::MakePolygons(const std::function<bool(const double
       std::back_inserter(polygons.Corners), [&](Id corner) { return rank[corner]; });
     polygons.Offsets.push_back(static_cast<Offset>(polygons.Corners.size()));
     polygons.CellIds.push_back(cell.GlobalId);
-    polygons.IsGhost.push_back(c < this->NumberOfOwnCells ? 0 : 1);
+    const auto next = std::upper_bound(this->LayerBegins.begin(), this->LayerBegins.end(), c);
+    polygons.Layers.push_back(static_cast<std::uint8_t>(std::min<Offset>(
+      next - this->LayerBegins.begin(), std::numeric_limits<std::uint8_t>::max())));
   }
   return polygons;
 }

@@ -56,9 +56,9 @@ struct RegionPolygons
   std::vector<double> Positions; ///< x y z per point
   std::vector<Offset> Offsets;
   std::vector<Offset> Corners;
-  std::vector<Offset> CellIds;       ///< global
-  std::vector<std::uint8_t> IsGhost; ///< per polygon, 1 for those of other pieces
-  std::vector<std::uint8_t> IsFar;   ///< per point, 1 if MakePolygons() excludes some of its cells
+  std::vector<Offset> CellIds;      ///< global
+  std::vector<std::uint8_t> Layers; ///< per polygon, its layer around the piece; 0 for the piece
+  std::vector<std::uint8_t> IsFar;  ///< per point, 1 if MakePolygons() excludes some of its cells
 };
 
 /// The piece of a surface that this process has, and cells of other processes around it. A point
@@ -148,6 +148,7 @@ private:
   std::vector<Cell> Cells;
   std::vector<Id> Corners;
   std::size_t NumberOfOwnCells = 0;
+  std::vector<std::size_t> LayerBegins;       // first cell of each layer around the piece
   Groups CellsOfPoints;                       // of the piece
   std::vector<std::vector<bool>> IsSent;      // per process and cell of the piece
   std::vector<std::vector<bool>> IsPointSent; // per process and point of the piece

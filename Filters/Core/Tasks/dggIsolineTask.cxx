@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggIsolineTask.h"
 
+#include "dggFieldPieces.h"
 #include "dggFieldReader.h"
 #include "dggOutput.h"
 #include "dggPreparedSurface.h"
@@ -201,11 +202,12 @@ Status IsolineTaskOptions::Check() const
 
 //------------------------------------------------------------------------------
 Status FindIsolines(const TaskContext& context, const DistanceField& field,
-  const IsolineTaskOptions& options, const ProgressCallback& progress, IsolineResult& result)
+  const IsolineTaskOptions& options, const ProgressCallback& progress, IsolineResult& result,
+  FieldPieces* pieces)
 {
   IsolineOptions lines;
-  lines.ChordTolerance = options.ChordTolerance *
-    (options.MeanEdgeLength > 0.0 ? options.MeanEdgeLength : field.Mesh->GetMeanEdgeLength());
+  lines.ChordTolerance =
+    options.ChordTolerance * (pieces ? pieces->MeanEdgeLength : field.Mesh->GetMeanEdgeLength());
   lines.SteinerPoints = options.SteinerPoints;
   const bool isKnown = field.HasWindows() || field.HasSources();
   lines.Method = isKnown ? options.Method : IsolineMethod::LocalSources;
@@ -215,13 +217,13 @@ Status FindIsolines(const TaskContext& context, const DistanceField& field,
   const double atBands = (LineWork + ridgeWork) / work;
   DGG_RETURN_IF_ERROR(TraceIsolines(field, options.Values, lines, context.Parallel,
     ProgressPart(progress, 0.0, atRidges), result.Lines));
-  if (options.WithRidges && isKnown)
+  if (options.WithRidges && (isKnown || pieces))
   {
     RidgeOptions ridges;
     ridges.MinimumAngle = options.MinimumRidgeAngle * RadiansPerDegree;
     ridges.ChordTolerance = lines.ChordTolerance;
-    DGG_RETURN_IF_ERROR(FindRidges(
-      field, ridges, context.Parallel, ProgressPart(progress, atRidges, atBands), result.Ridges));
+    DGG_RETURN_IF_ERROR(FindRidges(field, ridges, context.Parallel,
+      ProgressPart(progress, atRidges, atBands), result.Ridges, pieces));
   }
   return options.WithBands ? MakeBands(field, options.Values, result.Lines,
                                ProgressPart(progress, atBands, 1.0), result.Bands)

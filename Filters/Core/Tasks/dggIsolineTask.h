@@ -19,6 +19,7 @@ namespace dgg
 {
 class FieldReader;
 class ProcessGroup;
+struct FieldPieces;
 struct Output;
 struct TaskContext;
 
@@ -29,7 +30,6 @@ struct DGG_CORE_EXPORT IsolineTaskOptions
 
   std::vector<double> Values;   ///< distances of the lines
   double ChordTolerance = 1e-3; ///< largest distance from the level set / mean edge length
-  double MeanEdgeLength = 0.0;  ///< of the surface; 0 for that of the mesh of the field
   /// Apollonius needs windows or virtual sources; other fields are linear in each triangle.
   IsolineMethod Method = IsolineMethod::LocalSources;
   int SteinerPoints = 2; ///< see IsolineOptions
@@ -46,9 +46,11 @@ struct IsolineResult
 };
 
 /// Finds lines and, if requested, ridges and bands. There are no ridges in a field that is linear
-/// in each face.
+/// in each face. If several processes have pieces of the surface, all of them must call the
+/// function, and request ridges only if the field is not linear.
 DGG_CORE_EXPORT Status FindIsolines(const TaskContext& context, const DistanceField& field,
-  const IsolineTaskOptions& options, const ProgressCallback& progress, IsolineResult& result);
+  const IsolineTaskOptions& options, const ProgressCallback& progress, IsolineResult& result,
+  FieldPieces* pieces = nullptr);
 
 ///@{
 /// Returns a warning about ridges that are missing or unreliable, or if only lines are requested

@@ -18,7 +18,7 @@ namespace dgg
 {
 namespace
 {
-constexpr int Layers = 2;
+constexpr int NumberOfLayers = 2;
 /// Bytes of a point: its corners in polygons, its positions in input and output, and its values.
 constexpr double BytesOfPoint = 256.0;
 /// Bytes of a point of a surface that is gathered: polygons, mesh and search of paths.
@@ -95,7 +95,7 @@ void Replace(OutputArrays& arrays, const std::string& name, const IdOf& idOf)
 
 Status PieceSurface::Prepare(ProcessGroup& group, const SurfacePiece& piece, bool& isUsable)
 {
-  DGG_RETURN_IF_ERROR(this->Start(group, piece, Layers, isUsable));
+  DGG_RETURN_IF_ERROR(this->Start(group, piece, NumberOfLayers, isUsable));
   return isUsable ? this->MakeSurface() : Status::Success();
 }
 
@@ -154,7 +154,7 @@ void PieceSurface::MakeArrays(const std::function<bool(const double*)>& isNear)
 Status PieceSurface::MakeSurface()
 {
   this->Surface = std::make_shared<const PreparedSurface>();
-  this->IsGhost.clear();
+  this->Layers.clear();
   if (!this->Polygons.CellIds.empty())
   {
     DGG_RETURN_IF_ERROR(PreparedSurface::Make(this->Arrays, Domain(),
@@ -162,7 +162,7 @@ Status PieceSurface::MakeSurface()
     const Id faces = this->Surface->GetMeshWithoutAngles().GetNumberOfFaces();
     for (Id f = 0; f < faces; ++f)
     {
-      this->IsGhost.push_back(this->Polygons.IsGhost[this->Surface->GetCell(f)]);
+      this->Layers.push_back(this->Polygons.Layers[this->Surface->GetCell(f)]);
     }
   }
   return Status::Success();
@@ -176,6 +176,7 @@ Status PieceSurface::CheckFaces(ProcessGroup& group, bool& isUsable)
   SurfaceFacts facts = this->Region.MeasureFacts(region);
   const SurfaceMesh& mesh = region.Mesh;
   DGG_RETURN_IF_ERROR(facts.Share(group));
+  this->LongestEdge = facts.LongestEdge;
   PieceFaces faces{ LengthSum(facts.LongestEdge), {} };
   for (Id f = 0; f < mesh.GetNumberOfFaces(); ++f)
   {
@@ -209,7 +210,7 @@ Status PieceSurface::CheckIds(ProcessGroup& group, const SurfacePiece& piece, bo
   }
   for (std::size_t i = 0; i < this->Polygons.CellIds.size(); ++i)
   {
-    if (this->Polygons.IsGhost[i] == 0)
+    if (this->Polygons.Layers[i] == 0)
     {
       here.Cells.Add(this->Polygons.CellIds[i]);
     }
@@ -228,6 +229,12 @@ TaskContext PieceSurface::MakeContext(const TaskContext& context) const
 {
   return { *this->Surface, context.Memory, context.NumberOfThreads, context.Progress,
     context.Parallel, [this]() -> const SurfaceArrays& { return this->Arrays; } };
+}
+
+FieldPieces PieceSurface::MakeFieldPieces(ProcessGroup& group) const
+{
+  return { group, this->MeanEdgeLength, this->LongestEdge,
+    [this](Id v) { return this->Region.GetPointId(this->Polygons.Points[v]); } };
 }
 
 Status PieceSurface::Extend(ProcessGroup& group, int components, std::vector<double>& values) const
@@ -252,10 +259,10 @@ Status PieceSurface::Locate(
   ProcessGroup& group, const SourceCollection& sources, double tolerance, PiecePoints& here) const
 {
   std::vector<Offset> cells; // of the piece
-  for (std::size_t f = 0; f < this->IsGhost.size(); ++f)
+  for (std::size_t f = 0; f < this->Layers.size(); ++f)
   {
     const Offset cell = this->Surface->GetCell(static_cast<Id>(f));
-    cells.push_back(this->IsGhost[f] ? NoId : this->Polygons.CellIds[cell]);
+    cells.push_back(this->Layers[f] > 0 ? NoId : this->Polygons.CellIds[cell]);
   }
   PieceLocator locator;
   DGG_RETURN_IF_ERROR(locator.Prepare(

@@ -6,6 +6,7 @@
 #define dggPieceSurface_h
 
 #include "dggCoreExport.h"      // for DGG_CORE_EXPORT
+#include "dggFieldPieces.h"     // for the connection to other processes
 #include "dggPieceLocator.h"    // for positions
 #include "dggPreparedSurface.h" // for the surface
 #include "dggProcessGroup.h"    // for messages
@@ -48,12 +49,15 @@ public:
   const double* GetPosition(Offset point) const { return this->Arrays.Points + 3 * point; }
   /// Returns the context of a task on this surface, which must outlive the context.
   TaskContext MakeContext(const TaskContext& context) const;
-  /// Returns 1 per face that belongs to another piece, otherwise 0.
-  const std::vector<std::uint8_t>& GetGhosts() const { return this->IsGhost; }
+  /// Returns the layer of each face around the piece; 0 in the piece. See DistanceField::Layers.
+  const std::vector<std::uint8_t>& GetLayers() const { return this->Layers; }
   /// Returns true if the triangles of the entire surface may be too long for a field.
   bool HasLongTriangles() const { return this->HasLong; }
   /// Returns the mean edge length of the entire surface.
   double GetMeanEdgeLength() const { return this->MeanEdgeLength; }
+  /// Returns the connection of a field on this surface to those of other processes. This surface
+  /// must outlive the connection.
+  FieldPieces MakeFieldPieces(ProcessGroup& group) const;
 
   /// Replaces the values of points of the piece, `components` each, by those of all points of the
   /// surface.
@@ -85,9 +89,10 @@ private:
   RegionPolygons Polygons;
   SurfaceArrays Arrays; // of Polygons
   PreparedSurface::Pointer Surface;
-  std::vector<std::uint8_t> IsGhost;
+  std::vector<std::uint8_t> Layers;
   bool HasLong = false; // triangles that may be too long for a field
   double MeanEdgeLength = 0.0;
+  double LongestEdge = 0.0;
   Offset FirstPoint = 0; // smallest global ids
   Offset FirstCell = 0;
 };

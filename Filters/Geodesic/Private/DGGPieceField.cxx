@@ -91,7 +91,7 @@ dgg::Status DGGPieceField::Update(const DGGContext& context, const DGGPieceUpdat
 dgg::DistanceField DGGPieceField::GetField() const
 {
   dgg::DistanceField field = this->Reader->GetField();
-  field.IsGhost = this->Surface->GetGhosts().data();
+  field.Layers = this->Surface->GetLayers().data();
   return field;
 }
 

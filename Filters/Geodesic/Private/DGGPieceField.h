@@ -48,7 +48,7 @@ public:
   /// Results of Update(), valid until the next one.
   const dgg::PieceSurface& GetSurface() const { return *this->Surface; }
   const dgg::FieldReader& GetReader() const { return *this->Reader; }
-  /// Returns the field, with the faces of other pieces marked as ghosts.
+  /// Returns the field, with the layers of faces around the piece.
   dgg::DistanceField GetField() const;
   DGGContext MakeContext(const DGGContext& context) const;
   const std::string& GetName() const { return this->Name; }
