@@ -41,10 +41,7 @@ public:
   void ForgetResults() override;
   dgg::Status Execute(const DGGContext& context, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
-  bool CanDistribute() const override
-  {
-    return this->Self->Method != Apollonius && !this->Self->GenerateBands;
-  }
+  bool CanDistribute() const override { return this->Self->Method != Apollonius; }
   dgg::Status ExecutePiece(
     const DGGContext& context, const DGGPieceUpdate& update, bool& isDone) override;
   void MakeEmptyOutput(const DGGContext& context, vtkInformationVector* outputVector) override;
@@ -214,8 +211,9 @@ dgg::Status vtkApolloniusIsolines::vtkInternals::ExecutePiece(
     double UnreachedValue;
     bool IsLinear;
     bool WithRidges;
+    bool WithBands;
   } first{ this->Self->ChordTolerance, this->Self->MinimumRidgeAngle, this->Self->UnreachedValue,
-    this->Self->Method == Linear, this->Self->GenerateRidges };
+    this->Self->Method == Linear, this->Self->GenerateRidges, this->Self->GenerateBands };
   dgg::IsolineTaskOptions options = this->MakeOptions();
   DGG_RETURN_IF_ERROR(group.TakeFromFirst(first));
   DGG_RETURN_IF_ERROR(group.TakeListFromFirst(options.Values));
@@ -230,6 +228,7 @@ dgg::Status vtkApolloniusIsolines::vtkInternals::ExecutePiece(
   options.ChordTolerance = first.ChordTolerance;
   options.MinimumRidgeAngle = first.MinimumRidgeAngle;
   options.WithRidges = first.WithRidges && !first.IsLinear;
+  options.WithBands = first.WithBands;
   const DGGContext onPiece = this->PieceField.MakeContext(context);
   const dgg::DistanceField field = this->PieceField.GetField();
   dgg::IsolineResult result;

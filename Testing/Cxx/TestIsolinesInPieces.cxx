@@ -75,6 +75,34 @@ std::set<Numbers> GetInnerPoints(vtkPolyData* output, const std::vector<const ch
   return inner;
 }
 
+/// Returns the triangles of bands, each with its values and the coordinates and values of its
+/// corners.
+std::multiset<Numbers> GetTriangles(vtkPolyData* output)
+{
+  std::multiset<Numbers> triangles;
+  vtkNew<vtkIdList> corners;
+  const auto add = [](vtkFieldData* data, vtkIdType id, Numbers& numbers) {
+    for (int i = 0; i < data->GetNumberOfArrays(); ++i)
+    {
+      numbers.push_back(data->GetArray(i)->GetComponent(id, 0));
+    }
+  };
+  for (vtkIdType cell = 0; cell < output->GetNumberOfCells(); ++cell)
+  {
+    Numbers triangle;
+    add(output->GetCellData(), cell, triangle);
+    output->GetCellPoints(cell, corners);
+    for (vtkIdType k = 0; k < corners->GetNumberOfIds(); ++k)
+    {
+      const Numbers point = GetPoint(output, corners->GetId(k));
+      triangle.insert(triangle.end(), point.begin(), point.end());
+      add(output->GetPointData(), corners->GetId(k), triangle);
+    }
+    triangles.insert(triangle);
+  }
+  return triangles;
+}
+
 class IsolinesInPieces : public DividedSurface
 {
 protected:
@@ -88,6 +116,7 @@ protected:
       { "vtkOriginalPointIds", "FaceId", "Barycentric" });
     // The cell of a point on an edge depends on the direction of a ridge.
     this->ExpectLines(together->GetRidges(), alone->GetRidges(), { "vtkOriginalPointIds" });
+    this->ExpectAll(GetTriangles(together->GetBands()), GetTriangles(alone->GetBands()));
     EXPECT_EQ(together->GetUsedVirtualSources(), alone->GetUsedVirtualSources());
     EXPECT_EQ(this->Sum(together->GetNumberOfFallbacks()), alone->GetNumberOfFallbacks());
     const bool hasLines = together->GetOutput()->GetNumberOfLines() > 0;
@@ -95,14 +124,18 @@ protected:
   }
 
 private:
+  /// Expects that the elements of all processes are the expected ones.
+  void ExpectAll(const std::multiset<Numbers>& here, const std::multiset<Numbers>& expected) const
+  {
+    EXPECT_TRUE(std::includes(expected.begin(), expected.end(), here.begin(), here.end()));
+    EXPECT_EQ(
+      this->Sum(static_cast<vtkIdType>(here.size())), static_cast<vtkIdType>(expected.size()));
+  }
+
   void ExpectLines(
     vtkPolyData* here, vtkPolyData* entire, const std::vector<const char*>& arrays) const
   {
-    const auto expected = GetSegments(entire);
-    const auto segments = GetSegments(here);
-    EXPECT_TRUE(std::includes(expected.begin(), expected.end(), segments.begin(), segments.end()));
-    EXPECT_EQ(
-      this->Sum(static_cast<vtkIdType>(segments.size())), static_cast<vtkIdType>(expected.size()));
+    this->ExpectAll(GetSegments(here), GetSegments(entire));
     const auto all = GetInnerPoints(entire, arrays);
     const auto inner = GetInnerPoints(here, arrays);
     EXPECT_TRUE(std::includes(all.begin(), all.end(), inner.begin(), inner.end()));
@@ -128,6 +161,7 @@ TEST_P(IsolinesInPieces, AreTheSame)
   const auto prepare = [](auto* filter) {
     filter->GenerateValues(7, 0.02, 0.65);
     filter->SetValue(7, 0.1);
+    filter->GenerateBandsOn();
   };
   this->ExpectLines(distance->GetOutput(), alone->GetOutput(), [&](auto* filter) {
     prepare(filter);
@@ -136,6 +170,26 @@ TEST_P(IsolinesInPieces, AreTheSame)
   this->ExpectLines(distance->GetOutput(), alone->GetOutput(), [&](auto* filter) {
     prepare(filter);
     filter->SetMethodToLinear();
+  });
+}
+
+//------------------------------------------------------------------------------
+/// Bands without a vertex, around a ridge between two sources, may be in two pieces.
+TEST_P(IsolinesInPieces, AreTheSameWithoutVertices)
+{
+  const auto surface = MakeGrid(29, 12);
+  const auto search = [](auto* filter) {
+    filter->SetAccuracy(0.1);
+    filter->SetSourceIds({ 180, 209 }); // (0, 6) and (29, 6)
+    filter->GenerateVirtualSourceOn();
+  };
+  const auto alone = Alone<vtkDGGDistance>(surface, search);
+  const auto distance = this->Together<vtkDGGDistance>(this->TakePiece(surface), search);
+  this->ExpectLines(distance->GetOutput(), alone->GetOutput(), [](auto* filter) {
+    filter->GenerateValues(4, 3.0, 12.0);
+    filter->SetValue(4, 15.45);
+    filter->GenerateRidgesOn();
+    filter->GenerateBandsOn();
   });
 }
 
@@ -164,8 +218,7 @@ INSTANTIATE_TEST_SUITE_P(Divisions, IsolinesInPieces, testing::ValuesIn(division
   [](const auto& tested) { return tested.param.Name; });
 
 //------------------------------------------------------------------------------
-/// One warning says that no process has a line. Distances without virtual sources and bands are
-/// gathered.
+/// One warning says that no process has a line. Distances without virtual sources are gathered.
 TEST_F(PieceGraph, IsolinesThatAreMissingOrGathered)
 {
   const auto search = [&](auto* filter) {
@@ -194,14 +247,36 @@ TEST_F(PieceGraph, IsolinesThatAreMissingOrGathered)
   };
   expectGathered([](auto* filter) {
     filter->SetValue(0, 0.4);
-    filter->GenerateBandsOn();
-  });
-  expectGathered([](auto* filter) {
-    filter->SetValue(0, 0.4);
     filter->SetMethodToApollonius();
   });
   expectGathered([](auto* filter) {
     filter->SetValue(0, 0.4);
     filter->SetVirtualSourceArrayName("None");
+  });
+}
+
+//------------------------------------------------------------------------------
+/// An abort or a failure of one process ends the update of all, and the next update gives the
+/// outputs of a single process.
+TEST_F(PieceGraph, IsolinesAfterFailures)
+{
+  const auto search = [](auto* filter) {
+    filter->SetAccuracy(0.05);
+    filter->SetSourceIds({ 5 });
+    filter->GenerateVirtualSourceOn();
+  };
+  const auto prepare = [](auto* filter) {
+    filter->GenerateValues(4, 0.2, 0.8);
+    filter->GenerateRidgesOn();
+    filter->GenerateBandsOn();
+  };
+  const auto alone = Alone<vtkDGGDistance>(this->Surface, search);
+  const auto distance =
+    this->Together<vtkDGGDistance>(this->TakeStrip(this->Surface, PartIds::Global), search);
+  const auto expected = Alone<vtkApolloniusIsolines>(alone->GetOutput(), prepare);
+  const auto isolines = this->Together<vtkApolloniusIsolines>(distance->GetOutput(), prepare);
+  this->ExpectRecovery(isolines.Get(), { 0.5, 0.7, 0.9 }, [&] {
+    EXPECT_EQ(this->Sum(isolines->GetBands()->GetNumberOfCells()),
+      expected->GetBands()->GetNumberOfCells());
   });
 }

@@ -22,7 +22,11 @@ struct FieldPieces
   double MeanEdgeLength;
   double LongestEdge;
   ///@}
-  std::function<Offset(Id vertex)> GetPointId; ///< global id
+  ///@{
+  /// Global ids of points and cells.
+  std::function<Offset(Id vertex)> GetPointId;
+  std::function<Offset(Id face)> GetCellId;
+  ///@}
 };
 }
 

@@ -63,20 +63,10 @@ void WriteLines(const TaskContext& context, const std::vector<SurfacePath>& line
 }
 
 /// Returns the limits of the bands; the first and the last limit are the extreme distances.
-std::vector<double> FindLimits(const Bands& bands, const std::vector<Id>& used)
+std::vector<double> FindLimits(const Bands& bands)
 {
   std::vector<double> limits = bands.Levels;
-  if (used.empty())
-  {
-    return limits;
-  }
-  double least = Infinity;
-  double largest = -Infinity;
-  for (const Id v : used)
-  {
-    least = std::min(least, bands.Distances[v]);
-    largest = std::max(largest, bands.Distances[v]);
-  }
+  const auto [least, largest] = bands.Range;
   limits.insert(limits.begin(), bands.Levels.empty() ? least : std::min(least, bands.Levels[0]));
   limits.push_back(std::max(largest, limits.back()));
   return limits;
@@ -148,7 +138,7 @@ void WriteBands(
   output.Polygons.Offsets = Buffer<Offset>(faces.size() + 1);
   output.Polygons.Points = Buffer<Offset>(3 * faces.size());
   output.Polygons.Offsets[0] = 0;
-  const std::vector<double> limits = FindLimits(bands, used);
+  const std::vector<double> limits = FindLimits(bands);
   for (std::size_t i = 0; i < faces.size(); ++i)
   {
     const Id f = faces[i];
@@ -167,6 +157,24 @@ void WriteBands(
     upper[i] = limits[bands.BandOf[f] + 1];
     cells[i] = GetOriginalCell(context.Surface, surface.Faces[f]);
   }
+}
+
+/// Adds the isolines in the first layer of cells around the piece of this process.
+Status AddLinesAround(const DistanceField& field, const std::vector<double>& values,
+  const IsolineOptions& options, const ParallelFor& parallel, Isolines& lines)
+{
+  DistanceField around = field;
+  std::vector<std::uint8_t> layers(field.Layers, field.Layers + field.Mesh->GetNumberOfFaces());
+  for (std::uint8_t& layer : layers)
+  {
+    layer = layer == 1 ? 0 : 1;
+  }
+  around.Layers = layers.data();
+  Isolines added;
+  DGG_RETURN_IF_ERROR(TraceIsolines(around, values, options, parallel, {}, added));
+  lines.Lines.insert(lines.Lines.end(), added.Lines.begin(), added.Lines.end());
+  lines.Levels.insert(lines.Levels.end(), added.Levels.begin(), added.Levels.end());
+  return Status::Success();
 }
 }
 
@@ -225,9 +233,18 @@ Status FindIsolines(const TaskContext& context, const DistanceField& field,
     DGG_RETURN_IF_ERROR(FindRidges(field, ridges, context.Parallel,
       ProgressPart(progress, atRidges, atBands), result.Ridges, pieces));
   }
-  return options.WithBands ? MakeBands(field, options.Values, result.Lines,
-                               ProgressPart(progress, atBands, 1.0), result.Bands)
-                           : Status::Success();
+  if (!options.WithBands)
+  {
+    return Status::Success();
+  }
+  Isolines all;
+  if (pieces)
+  {
+    all = result.Lines;
+    DGG_RETURN_IF_ERROR(AddLinesAround(field, options.Values, lines, context.Parallel, all));
+  }
+  return MakeBands(field, options.Values, pieces ? all : result.Lines,
+    ProgressPart(progress, atBands, 1.0), result.Bands, pieces);
 }
 
 //------------------------------------------------------------------------------

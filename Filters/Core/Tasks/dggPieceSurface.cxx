@@ -18,7 +18,7 @@ namespace dgg
 {
 namespace
 {
-constexpr int NumberOfLayers = 2;
+constexpr int NumberOfLayers = 3;
 /// Bytes of a point: its corners in polygons, its positions in input and output, and its values.
 constexpr double BytesOfPoint = 256.0;
 /// Bytes of a point of a surface that is gathered: polygons, mesh and search of paths.
@@ -234,7 +234,8 @@ TaskContext PieceSurface::MakeContext(const TaskContext& context) const
 FieldPieces PieceSurface::MakeFieldPieces(ProcessGroup& group) const
 {
   return { group, this->MeanEdgeLength, this->LongestEdge,
-    [this](Id v) { return this->Region.GetPointId(this->Polygons.Points[v]); } };
+    [this](Id v) { return this->Region.GetPointId(this->Polygons.Points[v]); },
+    [this](Id f) { return this->Polygons.CellIds[this->Surface->GetCell(f)]; } };
 }
 
 Status PieceSurface::Extend(ProcessGroup& group, int components, std::vector<double>& values) const
@@ -310,7 +311,10 @@ void PieceSurface::Renumber(Output& output) const
   Replace(output.PointData, "vtkOriginalPointIds", [this](Offset point) {
     return this->Region.GetPointId(this->Polygons.Points[point]) - this->FirstPoint;
   });
-  Replace(output.PointData, "FaceId",
-    [this](Offset cell) { return this->Polygons.CellIds[cell] - this->FirstCell; });
+  for (OutputArrays* arrays : { &output.PointData, &output.CellData })
+  {
+    Replace(*arrays, "FaceId",
+      [this](Offset cell) { return this->Polygons.CellIds[cell] - this->FirstCell; });
+  }
 }
 }

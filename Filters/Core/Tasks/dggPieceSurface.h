@@ -27,10 +27,11 @@ struct TaskContext;
 class DGG_CORE_EXPORT PieceSurface
 {
 public:
-  /// Prepares the surface, with two layers of cells: the cells at the corners of the faces of the
-  /// edges of the piece. `isUsable` becomes false on all processes if the pieces must be gathered:
-  /// for the reasons of BuildPieceGraph(), if an edge has more than two faces, if ids are not
-  /// consecutive, if there are other cells than polygons, and if a process has points but no cells.
+  /// Prepares the surface, with three layers of cells. Isolines on an edge depend on all cells at
+  /// the corners of the faces of the edge, and bands of the piece depend on the isolines in the
+  /// first layer. `isUsable` becomes false on all processes if the pieces must be gathered: for the
+  /// reasons of BuildPieceGraph(), if an edge has more than two faces, if ids are not consecutive,
+  /// if there are other cells than polygons, and if a process has points but no cells.
   Status Prepare(ProcessGroup& group, const SurfacePiece& piece, bool& isUsable);
 
   ///@{
