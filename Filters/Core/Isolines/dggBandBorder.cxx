@@ -4,8 +4,10 @@
 
 #include "dggDisjointSets.h"
 #include "dggEdges.h"
+#include "dggFaceTriangulation.h"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 namespace dgg
@@ -27,13 +29,8 @@ Status BandBorder::Connect(const std::vector<Id>& undecided)
       }
     }
   }
-  std::vector<std::vector<EdgeKey>> lists;
-  DGG_RETURN_IF_ERROR(this->Pieces->Group.ShareList(open, lists));
-  std::set<EdgeKey> all;
-  for (const std::vector<EdgeKey>& list : lists)
-  {
-    all.insert(list.begin(), list.end());
-  }
+  DGG_RETURN_IF_ERROR(this->Pieces->Group.JoinLists(open));
+  const std::set<EdgeKey> all(open.begin(), open.end());
   this->HasEdges = !all.empty();
   const Id size = this->HasEdges ? this->Lines.GetSurface().GetNumberOfHalfEdges() : 0;
   for (Id h = 0; h < size; ++h)
@@ -44,7 +41,6 @@ Status BandBorder::Connect(const std::vector<Id>& undecided)
       if (all.count(key) > 0)
       {
         this->HalfEdges.emplace(key, h);
-        this->Keys.emplace(h, key);
       }
     }
   }
@@ -63,27 +59,22 @@ Status BandBorder::Exchange(const std::vector<Id>& front, const std::vector<Id>&
   {
     return Status::Success();
   }
-  std::vector<Offered> here;
-  for (const Id f : front)
+  std::vector<Offered> offers;
+  for (const auto& [key, h] : this->HalfEdges)
   {
-    const auto end = this->Keys.lower_bound(3 * f + 3);
-    for (auto key = this->Keys.lower_bound(3 * f); key != end; ++key)
+    const Id f = SurfaceMesh::Face(h);
+    if (std::binary_search(front.begin(), front.end(), f))
     {
-      here.push_back({ key->second, bandOf[f] });
+      offers.push_back({ key, bandOf[f] });
     }
   }
-  std::vector<std::vector<Offered>> lists;
-  DGG_RETURN_IF_ERROR(this->Pieces->Group.ShareList(here, lists));
-  lists[this->Pieces->Group.Here].clear();
-  for (const std::vector<Offered>& list : lists)
+  DGG_RETURN_IF_ERROR(this->Pieces->Group.JoinLists(offers));
+  for (const Offered& offered : offers)
   {
-    for (const Offered& offered : list)
+    const auto found = this->HalfEdges.find(offered.Edge);
+    if (found != this->HalfEdges.end())
     {
-      const auto found = this->HalfEdges.find(offered.Edge);
-      if (found != this->HalfEdges.end())
-      {
-        offer(SurfaceMesh::Face(found->second), offered.Band);
-      }
+      offer(SurfaceMesh::Face(found->second), offered.Band);
     }
   }
   return Status::Success();
@@ -109,22 +100,16 @@ Status BandBorder::SelectFirst(
   {
     return Status::Success();
   }
-  std::vector<Touch> here;
-  for (std::size_t i = 0; i < faces.size(); ++i)
+  std::vector<Touch> all;
+  for (const auto& [key, h] : this->HalfEdges)
   {
-    const auto end = this->Keys.lower_bound(3 * faces[i] + 3);
-    for (auto key = this->Keys.lower_bound(3 * faces[i]); key != end; ++key)
+    const auto found = std::lower_bound(faces.begin(), faces.end(), SurfaceMesh::Face(h));
+    if (found != faces.end() && *found == SurfaceMesh::Face(h))
     {
-      here.push_back({ key->second, this->MakeFaceKey(firstOf[i]) });
+      all.push_back({ key, this->MakeFaceKey(firstOf[found - faces.begin()]) });
     }
   }
-  std::vector<std::vector<Touch>> lists;
-  DGG_RETURN_IF_ERROR(this->Pieces->Group.ShareList(here, lists));
-  std::vector<Touch> all;
-  for (const std::vector<Touch>& list : lists)
-  {
-    all.insert(all.end(), list.begin(), list.end());
-  }
+  DGG_RETURN_IF_ERROR(this->Pieces->Group.JoinLists(all));
   // Join components at common edges. The representative of a set is its first component, because
   // components are sorted.
   std::sort(
@@ -180,8 +165,9 @@ BandBorder::EdgeKey BandBorder::MakeKey(Id h) const
     edge = FindEdge(mesh, e);
     begin = std::min(find(a, edge), find(b, edge));
   }
-  return { this->Pieces->GetPointId(mesh.Origin(edge)),
-    this->Pieces->GetPointId(mesh.Destination(edge)), begin };
+  return { { this->Pieces->GetPointId(mesh.Origin(edge)),
+    this->Pieces->GetPointId(mesh.Destination(edge)),
+    std::llround(begin * static_cast<double>(GridPoint::One)) } };
 }
 
 BandBorder::FaceKey BandBorder::MakeFaceKey(Id face) const
@@ -193,6 +179,6 @@ BandBorder::FaceKey BandBorder::MakeFaceKey(Id face) const
   {
     --first;
   }
-  return { cell, face - first };
+  return { { cell, face - first } };
 }
 }

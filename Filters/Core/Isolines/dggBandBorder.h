@@ -9,9 +9,9 @@
 #include "dggFieldPieces.h"   // for the connection to other processes
 #include "dggPathEdges.h"     // for the lines
 
+#include <array>      // for keys
 #include <functional> // for offers
 #include <map>        // for edges
-#include <tuple>      // for their order
 #include <vector>     // for faces
 
 namespace dgg
@@ -34,8 +34,8 @@ public:
   /// any process, the other functions exchange nothing.
   Status Connect(const std::vector<Id>& undecided);
 
-  /// Calls `offer(face, band)` for faces at the border, with the bands of neighbors on other
-  /// processes that are in `front` there.
+  /// Calls `offer(face, band)` for faces at the border, with their own bands or those of neighbors
+  /// on other processes, of the faces in `front` there. `front` is sorted.
   Status Exchange(const std::vector<Id>& front, const std::vector<Id>& bandOf,
     const std::function<void(Id face, Id band)>& offer) const;
 
@@ -43,36 +43,17 @@ public:
   Status Require(bool& condition) const;
 
   /// Returns the faces that are the first ones of their components on the entire surface. `firstOf`
-  /// has the first face of its component on this process for each face of `faces`.
+  /// has the first face of its component on this process for each face of `faces`, which is sorted.
   Status SelectFirst(
     const std::vector<Id>& faces, const std::vector<Id>& firstOf, std::vector<Id>& selected) const;
 
 private:
-  /// A part of an edge of the surface, by global ids of the ends of the edge.
-  struct EdgeKey
-  {
-    Offset From;
-    Offset To;
-    double Begin; // parameter of the first end of the part
-
-    bool operator<(const EdgeKey& other) const
-    {
-      return std::tie(this->From, this->To, this->Begin) <
-        std::tie(other.From, other.To, other.Begin);
-    }
-  };
-  /// A face of the refined surface, by the global id of its cell. The order is that of a single
-  /// process.
-  struct FaceKey
-  {
-    Offset Cell;
-    Offset Index; // within the cell
-
-    bool operator<(const FaceKey& other) const
-    {
-      return std::tie(this->Cell, this->Index) < std::tie(other.Cell, other.Index);
-    }
-  };
+  /// A part of an edge of the surface: global ids of the ends of the edge, and the parameter of the
+  /// first end of the part, in units of the grid of refined faces.
+  using EdgeKey = std::array<Offset, 3>;
+  /// A face of the refined surface: global id of its cell, and index in the cell. The order is that
+  /// of a single process.
+  using FaceKey = std::array<Offset, 2>;
 
   bool IsOnBorder(Id h) const;
   EdgeKey MakeKey(Id h) const;
@@ -80,13 +61,9 @@ private:
 
   const DistanceField& Field;
   const PathEdges& Lines;
-  FieldPieces* const Pieces; // may be null
-  bool HasEdges = false;     // on any process
-  ///@{
-  // Half-edges of this process at the border.
-  std::map<EdgeKey, Id> HalfEdges;
-  std::map<Id, EdgeKey> Keys;
-  ///@}
+  FieldPieces* const Pieces;       // may be null
+  bool HasEdges = false;           // on any process
+  std::map<EdgeKey, Id> HalfEdges; // of this process at the border
 };
 }
 

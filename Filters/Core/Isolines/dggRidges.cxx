@@ -117,15 +117,15 @@ private:
   {
     if (node.OwnArcs != 1 || node.OtherArcs != 1)
     {
-      return {};
+      return { { NoId, NoId, NoId } };
     }
     if (IsVertex(node.Point))
     {
-      return { node.Point.Vertex, node.Point.Vertex, 0 };
+      return { { node.Point.Vertex, node.Point.Vertex, 0 } };
     }
     const Id from = this->Mesh.Origin(node.Point.HalfEdge);
     const Id to = this->Mesh.Destination(node.Point.HalfEdge);
-    return { std::min(from, to), std::max(from, to), node.Rank };
+    return { { std::min(from, to), std::max(from, to), node.Rank } };
   }
 
   void AddLine(const PieceChain& chain, Ridges& ridges) const
@@ -167,7 +167,7 @@ private:
     }
     part.Ends = { { this->MakeJoint(this->Nodes[this->EndOf(chain.Passages.front(), false)]),
       this->MakeJoint(this->Nodes[this->EndOf(chain.Passages.back(), true)]) } };
-    if (part.Ends[0].Low != NoId || part.Ends[1].Low != NoId)
+    if (part.Ends[0][0] != NoId || part.Ends[1][0] != NoId)
     {
       ridges.Parts.push_back(part);
     }
@@ -442,30 +442,23 @@ void EdgeJoiner::AddPieces(Id f)
 /// Replaces the angles of lines that continue in other parts by those of the entire ridges.
 Status JoinParts(FieldPieces& pieces, Ridges& ridges)
 {
-  for (RidgePart& part : ridges.Parts)
+  std::vector<RidgePart> parts = ridges.Parts;
+  std::size_t firstHere = 0;
+  for (RidgePart& part : parts)
   {
     for (RidgePart::Joint& joint : part.Ends)
     {
-      if (joint.Low != NoId)
+      for (int k = 0; k < 2 && joint[0] != NoId; ++k)
       {
-        joint = { pieces.GetPointId(static_cast<Id>(joint.Low)),
-          pieces.GetPointId(static_cast<Id>(joint.High)), joint.Rank };
+        joint[k] = pieces.GetPointId(static_cast<Id>(joint[k]));
       }
     }
   }
-  std::vector<std::vector<RidgePart>> lists;
-  DGG_RETURN_IF_ERROR(pieces.Group.ShareList(ridges.Parts, lists));
-  std::vector<RidgePart> parts;
-  std::size_t firstHere = 0;
-  for (int process = 0; process < pieces.Group.Count; ++process)
-  {
-    firstHere = process == pieces.Group.Here ? parts.size() : firstHere;
-    parts.insert(parts.end(), lists[process].begin(), lists[process].end());
-  }
+  DGG_RETURN_IF_ERROR(pieces.Group.JoinLists(parts, &firstHere));
   std::vector<std::pair<RidgePart::Joint, Id>> ends;
   for (std::size_t i = 0; i < 2 * parts.size(); ++i)
   {
-    if (parts[i / 2].Ends[i % 2].Low != NoId)
+    if (parts[i / 2].Ends[i % 2][0] != NoId)
     {
       ends.emplace_back(parts[i / 2].Ends[i % 2], static_cast<Id>(i / 2));
     }

@@ -13,7 +13,6 @@
 
 #include <algorithm> // for std::max
 #include <array>     // for the ends of parts
-#include <tuple>     // for their order
 #include <vector>    // for the lines
 
 namespace dgg
@@ -71,20 +70,9 @@ private:
 /// another part on the same process.
 struct RidgePart
 {
-  /// A point at which exactly two parts meet: at a vertex, or on an edge between two vertices.
-  struct Joint
-  {
-    Offset Low = NoId; ///< vertices; NoId at an end of the ridge
-    Offset High = NoId;
-    Offset Rank = 0; ///< index among the ridge points of the edge
-
-    bool operator<(const Joint& other) const
-    {
-      return std::tie(this->Low, this->High, this->Rank) <
-        std::tie(other.Low, other.High, other.Rank);
-    }
-    bool operator==(const Joint& other) const { return !(*this < other) && !(other < *this); }
-  };
+  /// A point at which exactly two parts meet: the two vertices of an edge, and the index among the
+  /// ridge points of the edge. At a vertex, the same vertex twice. NoId at an end of the ridge.
+  using Joint = std::array<Offset, 3>;
 
   std::array<Joint, 2> Ends;
   RidgeAngleSum Angle;

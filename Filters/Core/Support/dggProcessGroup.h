@@ -234,6 +234,25 @@ public:
     return Status::Success();
   }
 
+  /// Replaces a list by those of all processes, one after the other. `begin` becomes the index of
+  /// the first element of this process.
+  template <typename T>
+  Status JoinLists(std::vector<T>& list, std::size_t* begin = nullptr)
+  {
+    std::vector<std::vector<T>> lists;
+    DGG_RETURN_IF_ERROR(this->ShareList(list, lists));
+    list.clear();
+    for (std::size_t process = 0; process < lists.size(); ++process)
+    {
+      if (begin && process == static_cast<std::size_t>(this->Here))
+      {
+        *begin = list.size();
+      }
+      list.insert(list.end(), lists[process].begin(), lists[process].end());
+    }
+    return Status::Success();
+  }
+
   /// Replaces a list by that of the first process.
   template <typename T>
   Status TakeListFromFirst(std::vector<T>& list)

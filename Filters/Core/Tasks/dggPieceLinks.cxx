@@ -76,16 +76,10 @@ Status PieceLinks::Find(ProcessGroup& group, const SourceCollection& sources, do
     this->NextLayers *= 2;
     DGG_RETURN_IF_ERROR(this->MakeMesh(group));
   }
-  std::vector<std::vector<PositionLink>> lists;
-  DGG_RETURN_IF_ERROR(group.ShareList(links, lists));
-  std::vector<PositionLink> all;
-  for (const std::vector<PositionLink>& list : lists)
-  {
-    all.insert(all.end(), list.begin(), list.end());
-  }
-  std::stable_sort(all.begin(), all.end(),
+  DGG_RETURN_IF_ERROR(group.JoinLists(links));
+  std::stable_sort(links.begin(), links.end(),
     [](const PositionLink& a, const PositionLink& b) { return a.Position < b.Position; });
-  for (const PositionLink& link : all)
+  for (const PositionLink& link : links)
   {
     const double offset = sources.GetInitialDistanceOfPosition(link.Position);
     const auto source = static_cast<Id>(sources.Ids.size() + link.Position);

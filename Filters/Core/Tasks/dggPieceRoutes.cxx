@@ -88,13 +88,7 @@ Status PieceSearch::FollowBack(ProcessGroup& group, const SurfacePiece& piece,
     }
   }
   DGG_RETURN_IF_ERROR(group.Require(isUsable));
-  std::vector<std::vector<FoundStep>> lists;
-  DGG_RETURN_IF_ERROR(group.ShareList(found, lists));
-  found.clear();
-  for (const std::vector<FoundStep>& list : lists)
-  {
-    found.insert(found.end(), list.begin(), list.end());
-  }
+  DGG_RETURN_IF_ERROR(group.JoinLists(found));
   std::sort(found.begin(), found.end(), [](const FoundStep& a, const FoundStep& b) {
     return std::tie(a.Route, a.Index) < std::tie(b.Route, b.Index);
   });

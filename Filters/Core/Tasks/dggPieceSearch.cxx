@@ -286,12 +286,8 @@ Status PieceSearch::FindIsolated(ProcessGroup& group, const std::vector<PieceSee
       here.push_back(i);
     }
   }
-  std::vector<std::vector<std::size_t>> lists;
-  DGG_RETURN_IF_ERROR(group.ShareList(here, lists));
-  for (const std::vector<std::size_t>& list : lists)
-  {
-    isolated.insert(isolated.end(), list.begin(), list.end());
-  }
+  DGG_RETURN_IF_ERROR(group.JoinLists(here));
+  isolated.insert(isolated.end(), here.begin(), here.end());
   std::sort(isolated.begin(), isolated.end());
   return Status::Success();
 }
