@@ -34,8 +34,9 @@ public:
   /// any process, the other functions exchange nothing.
   Status Connect(const std::vector<Id>& undecided);
 
-  /// Calls `offer(face, band)` for faces at the border, with their own bands or those of neighbors
-  /// on other processes, of the faces in `front` there. `front` is sorted.
+  /// Sends the bands of the faces in `front`, which is sorted, and calls `offer(face, band)` for
+  /// faces at the border with the bands of neighbors. A face that has sent its band is offered this
+  /// band, too.
   Status Exchange(const std::vector<Id>& front, const std::vector<Id>& bandOf,
     const std::function<void(Id face, Id band)>& offer) const;
 
