@@ -7,6 +7,7 @@
 
 #include "vtkDGGDistance.h"
 #include "vtkDiscreteGeodesicGraph.h"
+#include "vtkVirtualSourceGeodesicDistance.h"
 
 using namespace dggtest;
 
@@ -104,6 +105,56 @@ TEST_P(VirtualSourcesInPieces, OfCoarseTriangles)
   const Search search = [](auto* filter) { filter->SetSourceIds({ 3 }); };
   this->ExpectSources(MakeTerrain(12), 0.02, { search }, true);
   this->ExpectSources(MakePlateWithHole(), 0.1, { search }, true);
+}
+
+//------------------------------------------------------------------------------
+/// Propagation from triangle to triangle gives the distances of a single process, bit by bit.
+/// Pieces are gathered for nearest sources and for points at an input.
+TEST_P(VirtualSourcesInPieces, PropagateFromPieceToPiece)
+{
+  using Filter = vtkVirtualSourceGeodesicDistance;
+  const auto terrain = MakePerforatedTerrain();
+  const auto surface = Beside(terrain, this->Surface, 2.0);
+  const vtkIdType n = terrain->GetNumberOfPoints();
+  const vtkIdType shared = FindSharedPoint(surface, this->GetParam().Label(surface, this->Count));
+  struct Case
+  {
+    std::function<void(Filter*)> SetUp;
+    bool IsGathered;
+  };
+  const Case cases[] = {
+    { [](Filter* filter) { filter->SetSourceIds({ 3 }); }, false },
+    { [&](Filter* filter) {
+       filter->SetSourceIds({ shared, n - 5, n + 7 }, { 0.1, 0.0, 0.05 });
+     },
+      false },
+    { [&](Filter* filter) {
+       filter->SetSourceIds({ 3, n + 7, shared });
+       filter->SetMaximumDistance(0.6);
+     },
+      false },
+    { [](Filter* filter) { filter->GenerateNearestSourceOn(); }, true },
+    { [&](Filter* filter) { filter->SetInputData(1, MakePointsOfCells(surface)); }, true },
+  };
+  for (const Case& tested : cases)
+  {
+    for (const int quality : { Filter::Fast, Filter::High })
+    {
+      const auto setUp = [&](Filter* filter) {
+        filter->SetSourceIds({ 0 });
+        tested.SetUp(filter);
+        filter->SetQuality(quality);
+        filter->SetUnreachedValue(-1.0);
+      };
+      const auto piece = TakePart(surface, this->GetParam().Label(surface, this->Count), this->Here,
+        PartIds::Global, this->Count % 2 == 0);
+      const auto expected = Alone<Filter>(surface, setUp);
+      const auto found = this->Together<Filter>(piece, setUp);
+      ExpectArray(found->GetOutput(), expected->GetOutput(), "GeodesicDistance", 0.0);
+      const bool isWhole = tested.IsGathered && this->IsFirst();
+      EXPECT_EQ(found->GetMeanAnisotropy() > 0.0, isWhole) << &tested - cases;
+    }
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Divisions, VirtualSourcesInPieces, testing::ValuesIn(divisions),

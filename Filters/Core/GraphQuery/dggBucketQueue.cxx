@@ -23,36 +23,52 @@ void BucketQueue::Reset(double origin, double width)
 
 bool BucketQueue::Advance(BucketQueue* queues, std::size_t count)
 {
-  BucketQueue* const end = queues + count;
-  while (std::all_of(queues, end, [](const BucketQueue& queue) { return queue.Current().empty(); }))
+  double next = Infinity;
+  for (BucketQueue* queue = queues; queue != queues + count; ++queue)
   {
-    if (std::all_of(queues, end, [](const BucketQueue& queue) { return queue.Size == 0; }))
+    next = std::min(next, queue->FindNext());
+  }
+  if (next == Infinity)
+  {
+    return false;
+  }
+  std::for_each(queues, queues + count, [&](BucketQueue& queue) { queue.AdvanceTo(next); });
+  return true;
+}
+
+double BucketQueue::FindNext() const
+{
+  const double placed = this->First + static_cast<double>((this->Cursor | Mask) + 1);
+  double next = Infinity;
+  for (std::size_t b = this->Cursor; this->Size > 0 && next == Infinity; ++b)
+  {
+    next = this->Ring[b & Mask].empty() ? Infinity : this->First + static_cast<double>(b);
+  }
+  if (next >= placed) // where the overflow list may begin
+  {
+    for (const Entry& entry : this->Overflow)
     {
-      double nearest = std::numeric_limits<double>::infinity();
-      for (const BucketQueue* queue = queues; queue != end; ++queue)
-      {
-        for (const Entry& entry : queue->Overflow)
-        {
-          nearest = std::min<double>(nearest, entry.Key);
-        }
-      }
-      if (nearest > LargestKey)
-      {
-        return false;
-      }
-      std::for_each(queues, end, [&](BucketQueue& queue) { queue.JumpTo(nearest); });
-      continue;
-    }
-    for (BucketQueue* queue = queues; queue != end; ++queue)
-    {
-      ++queue->Cursor;
-      if ((queue->Cursor & Mask) == 0 && !queue->Overflow.empty())
-      {
-        queue->PlaceOverflow();
-      }
+      next = std::min<double>(next, std::floor(entry.Key));
     }
   }
-  return true;
+  return next;
+}
+
+void BucketQueue::AdvanceTo(double key)
+{
+  while (this->First + static_cast<double>(this->Cursor) < key)
+  {
+    if (this->Size == 0)
+    {
+      this->JumpTo(key);
+      return;
+    }
+    ++this->Cursor;
+    if ((this->Cursor & Mask) == 0 && !this->Overflow.empty())
+    {
+      this->PlaceOverflow();
+    }
+  }
 }
 
 void BucketQueue::PlaceOverflow()

@@ -53,6 +53,13 @@ public:
   /// separately.
   static bool Advance(BucketQueue* queues, std::size_t count);
 
+  /// Returns the smallest key of the first non-empty bucket, rounded down; infinity if all buckets
+  /// are empty.
+  double FindNext() const;
+  /// Advances to the bucket of a key that FindNext() has returned, for this or another queue with
+  /// the same origin and width, and that is no larger than FindNext().
+  void AdvanceTo(double key);
+
   /// Removes the entries of the current bucket for which `isOutdated(entry)` holds.
   template <typename IsOutdated>
   void Sift(const IsOutdated& isOutdated)

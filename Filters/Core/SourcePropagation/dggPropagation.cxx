@@ -6,8 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <mutex>
-#include <queue>
 #include <thread>
 #include <type_traits>
 
@@ -21,7 +19,6 @@ constexpr float OffsetPenalty = 1e-5F;
 /// Work per chunk of a thread.
 constexpr std::size_t LabelsPerChunk = 64;
 constexpr Offset ValuesPerBlock = 65536;
-constexpr Offset FacesPerBlock = 4096;
 /// Maximum number of labels: per face, plus a constant. Beyond this, labels do not settle.
 constexpr std::size_t MostLabelsPerFace = 7;
 constexpr std::size_t ManyLabels = 100000;
@@ -34,19 +31,6 @@ constexpr double FastLabelsPerFace = 1.2;
 constexpr double HighLabelsPerFace = 1.9;
 constexpr double LargestProgress = 0.99;
 
-/// A total order, so that the order of discovery is irrelevant.
-struct IsLater
-{
-  bool operator()(const PropagationShortcut& a, const PropagationShortcut& b) const
-  {
-    if (a.Distance != b.Distance)
-    {
-      return a.Distance > b.Distance;
-    }
-    return a.Vertex != b.Vertex ? a.Vertex > b.Vertex : ComesBefore(b.Label, a.Label);
-  }
-};
-
 void Lower(std::atomic<float>& value, float candidate)
 {
   float old = value.load(std::memory_order_relaxed);
@@ -57,10 +41,11 @@ void Lower(std::atomic<float>& value, float candidate)
 }
 
 template <bool High>
-Propagation<High>::Propagation(const SurfaceMesh& mesh, const PropagationFaces& faces, double shift,
-  float radius, const ParallelFor& parallel, int threads)
+Propagation<High>::Propagation(const SurfaceMesh& mesh, const PropagationFaces& faces,
+  PropagationPieces* pieces, double shift, float radius, const ParallelFor& parallel, int threads)
   : Mesh(mesh)
   , Faces(faces)
+  , Pieces(pieces)
   , Shift(shift)
   , Radius(radius)
   , FirstHub(High ? mesh.GetNumberOfHalfEdges() : mesh.GetNumberOfFaces())
@@ -89,13 +74,14 @@ Propagation<High>::Propagation(const SurfaceMesh& mesh, const PropagationFaces& 
 template <bool High>
 double Propagation<High>::CountExpected() const
 {
-  return (High ? HighLabelsPerFace : FastLabelsPerFace) * this->Mesh.GetNumberOfFaces();
+  return (High ? HighLabelsPerFace : FastLabelsPerFace) *
+    static_cast<double>(this->GetNumberOfFaces());
 }
 
 template <bool High>
 std::size_t Propagation<High>::MaximumCount() const
 {
-  return ManyLabels + MostLabelsPerFace * static_cast<std::size_t>(this->Mesh.GetNumberOfFaces());
+  return ManyLabels + MostLabelsPerFace * static_cast<std::size_t>(this->GetNumberOfFaces());
 }
 
 template <bool High>
@@ -115,6 +101,15 @@ Id Propagation<High>::SlotOf(Id entry) const
   return twin >= 0 ? std::min(entry, twin) : entry;
 }
 
+/// Returns true if this process has the slot of a label that enters a face of another process: in
+/// High quality, the processes of both faces of an edge have it, and receive the same labels.
+template <bool High>
+bool Propagation<High>::IsSlotHere(Id entry) const
+{
+  const Id twin = this->Faces[SurfaceMesh::Face(entry)].Behind[entry % 3];
+  return High && twin >= 0 && this->IsHere(SurfaceMesh::Face(twin));
+}
+
 template <bool High>
 void Propagation<High>::Start(const std::vector<GeodesicSource>& sources, bool wantsLabels)
 {
@@ -125,6 +120,10 @@ void Propagation<High>::Start(const std::vector<GeodesicSource>& sources, bool w
   for (std::size_t k = 0; k < sources.size(); ++k)
   {
     const SurfacePoint& point = sources[k].Point;
+    if (IsVertex(point) && point.Vertex == NoId)
+    {
+      continue; // only known to other processes
+    }
     const auto root = static_cast<Id>(k);
     const auto offset = static_cast<float>((sources[k].InitialDistance - this->Shift) / unit);
     if (point.On == SurfacePoint::Support::Vertex)
@@ -160,6 +159,7 @@ void Propagation<High>::Start(const std::vector<GeodesicSource>& sources, bool w
     });
   }
   this->TakeShortcuts(chunk);
+  chunk.Crossing.clear(); // other processes start there
 }
 
 /// Emits a vertex as source into all faces around it.
@@ -184,16 +184,21 @@ void Propagation<High>::ReachHub(Id v, float distance, Id root, PropagationChunk
 }
 
 template <bool High>
-void Propagation<High>::Advance(RoundTeam& team)
+Status Propagation<High>::Advance(RoundTeam& team)
 {
   const double step = std::max(FewestLabelsPerReport, this->CountExpected() / NumberOfReports);
   const std::size_t stop = this->Propagated + static_cast<std::size_t>(step);
   RoundTeam::Counts counts{};
   while (this->Propagated < stop)
   {
-    if (!this->IsSettled() || !this->Rounds.Next(this->Slots.get(), this->Entries))
+    this->HasEnded = !this->IsSettled();
+    if (!this->HasEnded)
     {
-      this->HasEnded = true;
+      DGG_RETURN_IF_ERROR(
+        this->Rounds.Next(this->Slots.get(), this->Pieces, this->Entries, this->HasEnded));
+    }
+    if (this->HasEnded)
+    {
       break;
     }
     for (std::size_t t = 0; t < this->Entries.size(); ++t)
@@ -210,24 +215,53 @@ void Propagation<High>::Advance(RoundTeam& team)
       const std::size_t end = std::min(entries.size(), begin + LabelsPerChunk);
       this->Collect(entries.data() + begin, entries.data() + end, this->Chunks[owner][i]);
     });
+    if (this->Pieces)
+    {
+      std::vector<Id> lowered;
+      bool isOver = false;
+      DGG_RETURN_IF_ERROR(this->Pieces->ShareDistances(this->Distances.get(), lowered, isOver));
+    }
     team.ForEach(counts, this->IsShared, [&](int owner, Offset i, int thread) {
       this->Chunks[owner][i].Thread = thread;
       this->Propagate(this->Chunks[owner][i]);
     });
-    std::size_t labels = 0;
-    std::size_t known = 0;
+    PropagationCounts done;
+    std::vector<PropagationLabel> crossing;
     for (std::size_t t = 0; t < this->Chunks.size(); ++t)
     {
       for (Offset i = 0; i < counts[t]; ++i)
       {
-        labels += this->Chunks[t][i].GetNumberOfLabels();
-        known += this->Chunks[t][i].Known;
-        this->TakeShortcuts(this->Chunks[t][i]);
+        PropagationChunk& chunk = this->Chunks[t][i];
+        done.Add({ chunk.GetNumberOfLabels(), chunk.Known });
+        this->TakeShortcuts(chunk);
+        crossing.insert(crossing.end(), chunk.Crossing.begin(), chunk.Crossing.end());
+        chunk.Crossing.clear();
       }
     }
-    this->Rounds.AdjustWidth(labels, known);
-    this->Propagated += labels;
+    if (this->Pieces)
+    {
+      DGG_RETURN_IF_ERROR(this->Pieces->Sum(done));
+      DGG_RETURN_IF_ERROR(this->ExchangeLabels(crossing));
+    }
+    this->Rounds.AdjustWidth(done.Labels, done.Known);
+    this->Propagated += done.Labels;
   }
+  return Status::Success();
+}
+
+/// Sends labels to other processes, and enters the faces of this process with those received.
+template <bool High>
+Status Propagation<High>::ExchangeLabels(std::vector<PropagationLabel>& crossing)
+{
+  DGG_RETURN_IF_ERROR(this->Pieces->ExchangeLabels(crossing));
+  PropagationChunk& chunk = this->Chunks.front().front();
+  chunk.Thread = 0;
+  for (const PropagationLabel& label : crossing)
+  {
+    this->EnterAllBehind(this->Mesh.Twin(label.Entry), label, chunk);
+  }
+  this->TakeShortcuts(chunk);
+  return Status::Success();
 }
 
 /// Collects the changed labels, and their distances to the vertices behind their edges.
@@ -246,8 +280,13 @@ void Propagation<High>::Collect(
       slot.IsPending.exchange(false, std::memory_order_relaxed))
     {
       const PropagationLabel& label = slot.Best;
-      chunk.Known += slot.Threshold < UnreachedKey ? 1 : 0;
+      const bool isKnown = slot.Threshold < UnreachedKey;
       slot.Threshold = (1.0F - PropagationRounding) * slot.Key.load(std::memory_order_relaxed);
+      if (entry->Vertex < this->FirstHub && !this->IsHere(SurfaceMesh::Face(label.Entry)))
+      {
+        continue; // the process of the face propagates the label
+      }
+      chunk.Known += isKnown ? 1 : 0;
       if (entry->Vertex >= this->FirstHub)
       {
         const bool isVertex = entry->Vertex < this->FirstHub + this->Faces.GetNumberOfVertexHubs();
@@ -391,6 +430,14 @@ void Propagation<High>::EnterAllBehind(
 template <bool High>
 void Propagation<High>::Enter(PropagationLabel label, PropagationChunk& chunk)
 {
+  if (this->Pieces && !this->Pieces->IsHere(SurfaceMesh::Face(label.Entry)))
+  {
+    chunk.Crossing.push_back(label);
+    if (!this->IsSlotHere(label.Entry))
+    {
+      return;
+    }
+  }
   const PropagationFace& face = this->Faces[SurfaceMesh::Face(label.Entry)];
   const int k = label.Entry % 3;
   const float length = face.Lengths[k];
@@ -490,96 +537,6 @@ void Propagation<High>::TakeShortcuts(PropagationChunk& chunk)
     this->Shortcuts.insert(this->Shortcuts.end(), chunk.Shortcuts.begin(), chunk.Shortcuts.end());
   }
   chunk.Shortcuts.clear();
-}
-
-/// Relaxes the two edges of the face at the origin of a half-edge.
-template <bool High>
-void Propagation<High>::CollectShortcutsFrom(Id h, std::vector<PropagationShortcut>& found) const
-{
-  const Id f = SurfaceMesh::Face(h);
-  const int k = h % 3;
-  const PropagationFace& face = this->Faces[f];
-  for (const int to : { NextOf(k), PreviousOf(k) })
-  {
-    const auto way = WayAlongEdge(f, face, k, to, this->Load(face.Corners[k]));
-    const float known = this->Load(way.Vertex);
-    if (way.Distance < (1.0F - PropagationRounding) * known && way.Distance <= this->Radius)
-    {
-      found.push_back(way);
-    }
-  }
-}
-
-/// Relaxes all mesh edges up to the radius, like Dijkstra's algorithm: no distance exceeds the
-/// distance of a neighbor plus the edge length, up to rounding.
-template <bool High>
-void Propagation<High>::RelaxEdges(const ParallelFor& parallel)
-{
-  std::priority_queue<PropagationShortcut, std::vector<PropagationShortcut>, IsLater> queue;
-  const auto push = [&queue](std::vector<PropagationShortcut>& found) {
-    for (const PropagationShortcut& way : found)
-    {
-      queue.push(way);
-    }
-    found.clear();
-  };
-  std::mutex mutex;
-  ForRange(parallel, this->Mesh.GetNumberOfFaces(), FacesPerBlock, [&](Offset begin, Offset end) {
-    std::vector<PropagationShortcut> found;
-    for (auto f = static_cast<Id>(begin); f < end; ++f)
-    {
-      const PropagationFace& face = this->Faces[f];
-      const float a = this->Load(face.Corners[0]);
-      const float b = this->Load(face.Corners[1]);
-      const float c = this->Load(face.Corners[2]);
-      // A single condition per face, which is rarely true.
-      const float excess = std::max(std::abs(a - b) - face.Lengths[0],
-        std::max(std::abs(b - c) - face.Lengths[1], std::abs(c - a) - face.Lengths[2]));
-      if (excess > PropagationRounding * a && !this->Mesh.IsDropped(f))
-      {
-        this->CollectShortcutsFrom(3 * f, found);
-        this->CollectShortcutsFrom(3 * f + 1, found);
-        this->CollectShortcutsFrom(3 * f + 2, found);
-      }
-    }
-    const std::lock_guard<std::mutex> lock(mutex);
-    push(found);
-  });
-  std::vector<PropagationShortcut> found;
-  while (!queue.empty())
-  {
-    const PropagationShortcut way = queue.top();
-    queue.pop();
-    if (way.Distance < this->Load(way.Vertex))
-    {
-      this->Distances[way.Vertex].store(way.Distance, std::memory_order_relaxed);
-      this->Shortcuts.push_back(way);
-      for (const Id* g = this->Mesh.FanBegin(way.Vertex); g != this->Mesh.FanEnd(way.Vertex); ++g)
-      {
-        this->CollectShortcutsFrom(*g, found);
-      }
-      push(found);
-    }
-  }
-}
-
-template <bool High>
-const std::vector<PropagationShortcut>& Propagation<High>::FindShortcuts(
-  const ParallelFor& parallel)
-{
-  this->RelaxEdges(parallel);
-  if (this->WantsLabels)
-  {
-    // Keep the shortcuts that define vertex distances.
-    std::vector<PropagationShortcut>& shortcuts = this->Shortcuts;
-    const auto isBeaten = [&](const PropagationShortcut& way) {
-      return way.Distance != this->Load(way.Vertex);
-    };
-    shortcuts.erase(std::remove_if(shortcuts.begin(), shortcuts.end(), isBeaten), shortcuts.end());
-    std::sort(shortcuts.begin(), shortcuts.end(),
-      [](const auto& a, const auto& b) { return IsLater()(b, a); });
-  }
-  return this->Shortcuts;
 }
 
 template <bool High>

@@ -8,6 +8,7 @@
 #include "dggGeodesicSource.h"    // for sources
 #include "dggPropagationFaces.h"  // for the faces
 #include "dggPropagationLabel.h"  // for labels
+#include "dggPropagationPieces.h" // for other processes
 #include "dggPropagationRounds.h" // for the slots
 #include "dggRoundTeam.h"         // for the threads
 
@@ -26,6 +27,8 @@ struct alignas(64) PropagationChunk
   std::vector<PropagationLabel> Vertices; ///< labels of vertices; Entry is the vertex
   /// Labels of non-manifold edges, by the half-edge through which they leave.
   std::vector<PropagationLabel> Edges;
+  /// Labels that enter faces of other processes.
+  std::vector<PropagationLabel> Crossing;
   std::size_t Known = 0; ///< number of slots that have been propagated before
   /// Shortcuts found, to be applied after the round.
   std::vector<PropagationShortcut> Shortcuts;
@@ -42,20 +45,23 @@ template <bool High>
 class Propagation
 {
 public:
-  Propagation(const SurfaceMesh& mesh, const PropagationFaces& faces, double shift, float radius,
-    const ParallelFor& parallel, int threads);
+  /// `pieces` is null if no other process takes part.
+  Propagation(const SurfaceMesh& mesh, const PropagationFaces& faces, PropagationPieces* pieces,
+    double shift, float radius, const ParallelFor& parallel, int threads);
 
   void Start(const std::vector<GeodesicSource>& sources, bool wantsLabels);
-  /// Performs some rounds. IsDone() holds when no work is left.
-  void Advance(RoundTeam& team);
+  /// Performs some rounds. IsDone() holds when no work is left. Fails only if another process does.
+  Status Advance(RoundTeam& team);
   bool IsDone() const { return this->HasEnded; }
   /// Returns false if the search ended before labels settled.
   bool IsSettled() const { return this->Propagated <= this->MaximumCount(); }
   double GetProgress() const;
 
-  /// Relaxes the remaining shortcuts; must be called once, after all rounds. Returns the shortcuts
-  /// that define vertex distances, nearest first, if labels are requested.
-  const std::vector<PropagationShortcut>& FindShortcuts(const ParallelFor& parallel);
+  /// Relaxes the remaining shortcuts; must be called once, after all rounds. Fails only if another
+  /// process does.
+  Status FindShortcuts(const ParallelFor& parallel);
+  /// Returns the shortcuts that define vertex distances, nearest first, if labels are requested.
+  const std::vector<PropagationShortcut>& GetShortcuts() const { return this->Shortcuts; }
 
   double GetDistance(Id v) const
   {
@@ -69,11 +75,20 @@ public:
   Way SeeFrom(Id v, const PropagationLabel& label, VirtualPlace& place) const;
 
 private:
+  /// Returns the number of faces of the entire surface.
+  Offset GetNumberOfFaces() const
+  {
+    return this->Pieces ? this->Pieces->GetNumberOfFaces() : this->Mesh.GetNumberOfFaces();
+  }
   /// Returns the approximate number of labels, for progress; the actual number may differ.
   double CountExpected() const;
   /// Returns the largest number of labels to propagate.
   std::size_t MaximumCount() const;
   Id SlotOf(Id entry) const;
+  /// Returns true if a face belongs to this process.
+  bool IsHere(Id f) const { return !this->Pieces || this->Pieces->IsHere(f); }
+  bool IsSlotHere(Id entry) const;
+  Status ExchangeLabels(std::vector<PropagationLabel>& crossing);
   void Radiate(const PropagationLabel& from, Id v, PropagationChunk& chunk);
   void EnterAllBehind(Id exit, const PropagationLabel& label, PropagationChunk& chunk);
   void ReachHub(Id v, float distance, Id root, PropagationChunk& chunk);
@@ -85,13 +100,15 @@ private:
   DGG_INLINE void Enter(PropagationLabel label, PropagationChunk& chunk);
   DGG_INLINE void Offer(float key, const PropagationLabel& label, Id id, PropagationChunk& chunk);
   void TakeShortcuts(PropagationChunk& chunk);
-  void RelaxEdges(const ParallelFor& parallel);
-  void CollectShortcutsFrom(Id h, std::vector<PropagationShortcut>& found) const;
+  Status RelaxEdges(const ParallelFor& parallel);
+  void CollectShortcutsFrom(
+    Id h, const std::vector<float>& before, std::vector<PropagationShortcut>& found) const;
   float Load(Id v) const { return this->Distances[v].load(std::memory_order_relaxed); }
   void Lose(Id id, const PropagationLabel& label, PropagationChunk& chunk) const;
 
   const SurfaceMesh& Mesh;
   const PropagationFaces& Faces;
+  PropagationPieces* const Pieces;
   const double Shift;
   const float Radius;
   const Id FirstHub; ///< first slot of hubs

@@ -3,6 +3,7 @@
 #include "dggPropagationFaces.h"
 
 #include "dggEdges.h"
+#include "dggPropagationPieces.h"
 
 namespace dgg
 {
@@ -30,8 +31,14 @@ bool CanBendAt(const SurfaceMesh& mesh, Id v)
 }
 
 PropagationFaces::PropagationFaces(const SurfaceMesh& mesh)
+  : PropagationFaces(mesh, mesh.GetMeanEdgeLength(), nullptr)
+{
+}
+
+PropagationFaces::PropagationFaces(
+  const SurfaceMesh& mesh, double unit, const PropagationPieces* pieces)
   : Faces(static_cast<std::size_t>(mesh.GetNumberOfFaces()))
-  , Unit(mesh.GetMeanEdgeLength() > 0.0 ? mesh.GetMeanEdgeLength() : 1.0)
+  , Unit(unit > 0.0 ? unit : 1.0)
 {
   for (Id f = 0; f < mesh.GetNumberOfFaces(); ++f)
   {
@@ -58,17 +65,21 @@ PropagationFaces::PropagationFaces(const SurfaceMesh& mesh)
       }
     }
   }
-  this->LookAtVertices(mesh);
+  this->LookAtVertices(mesh, pieces);
   if (this->NumberOfVertexHubs > 0)
   {
     this->FindEdgeHubs(mesh);
   }
 }
 
-void PropagationFaces::LookAtVertices(const SurfaceMesh& mesh)
+void PropagationFaces::LookAtVertices(const SurfaceMesh& mesh, const PropagationPieces* pieces)
 {
   for (Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
   {
+    if (pieces && !pieces->HasVertex(v))
+    {
+      continue;
+    }
     this->IsAnyBend = this->IsAnyBend || CanBendAt(mesh, v);
     if (mesh.IsIrregular(v))
     {

@@ -32,6 +32,8 @@ struct alignas(64) PropagationFace
   bool IsIrregular; ///< true if a corner is a hub
 };
 
+class PropagationPieces;
+
 class PropagationFaces
 {
 public:
@@ -41,12 +43,17 @@ public:
   static constexpr Id FirstGate = -3;
 
   explicit PropagationFaces(const SurfaceMesh& mesh);
+  /// Faces of a piece of a surface. `unit` is the mean edge length of the surface, and `pieces` may
+  /// be null.
+  PropagationFaces(const SurfaceMesh& mesh, double unit, const PropagationPieces* pieces);
 
   const PropagationFace& operator[](Id f) const { return this->Faces[f]; }
   double GetUnit() const { return this->Unit; }
   /// Returns true if paths can bend somewhere. Otherwise, as in the plane, there are no shadows,
   /// and a source that reaches a vertex earlier than all others is simply nearer.
   bool HasShadows() const { return this->IsAnyBend; }
+  /// Sets the value of HasShadows(), for a surface in pieces.
+  void SetShadows(bool hasShadows) { this->IsAnyBend = hasShadows; }
 
   /// Returns the number of hubs, where a label continues into many faces: irregular vertices and
   /// edges with many faces.
@@ -57,7 +64,7 @@ public:
   Id GetHub(Id v) const { return this->VertexHubs.empty() ? NoId : this->VertexHubs[v]; }
 
 private:
-  void LookAtVertices(const SurfaceMesh& mesh);
+  void LookAtVertices(const SurfaceMesh& mesh, const PropagationPieces* pieces);
   void FindEdgeHubs(const SurfaceMesh& mesh);
 
   std::vector<PropagationFace> Faces;

@@ -25,9 +25,12 @@ PropagationRounds::PropagationRounds(int threads)
 }
 
 /// The set of outdated entries depends on the threads and must not affect the contents of a round.
-bool PropagationRounds::Next(
-  const PropagationSlot* slots, std::vector<std::vector<BucketQueue::Entry>>& entries)
+Status PropagationRounds::Next(const PropagationSlot* slots, const PropagationPieces* pieces,
+  std::vector<std::vector<BucketQueue::Entry>>& entries, bool& isOver)
 {
+  const auto findLeast = [&](double& value) {
+    return pieces ? pieces->FindLeast(value) : Status::Success();
+  };
   const auto isFarther = [](const BucketQueue::Entry& a, const BucketQueue::Entry& b) {
     return a.Key > b.Key;
   };
@@ -46,22 +49,30 @@ bool PropagationRounds::Next(
       pop();
     }
   };
+  constexpr double isNear = -1.0; // before all buckets
   std::vector<BucketQueue::Entry>& chosen = entries.front();
-  do
+  for (double isNoneChosen = 1.0; isNoneChosen != 0.0;)
   {
     dropOutdated();
-    const bool wasEmpty = this->Near.empty();
-    if (wasEmpty && !BucketQueue::Advance(this->Queues.data(), this->Queues.size()))
+    double next = this->Near.empty() ? Infinity : isNear;
+    for (std::size_t i = 0; i < this->Queues.size() && next != isNear; ++i)
     {
-      return false;
+      next = std::min(next, this->Queues[i].FindNext());
+    }
+    DGG_RETURN_IF_ERROR(findLeast(next));
+    isOver = next == Infinity;
+    if (isOver)
+    {
+      return Status::Success();
     }
     for (std::size_t i = 0; i < entries.size(); ++i)
     {
+      this->Queues[i].AdvanceTo(next);
       this->Queues[i].TakeCurrent(entries[i]);
     }
-    if (wasEmpty && this->Width == 1.0F)
+    if (next != isNear && this->Width == 1.0F)
     {
-      return true;
+      return Status::Success();
     }
     for (std::vector<BucketQueue::Entry>& some : entries)
     {
@@ -73,7 +84,9 @@ bool PropagationRounds::Next(
       some.clear();
     }
     dropOutdated();
-    const float end = this->Near.empty() ? 0.0F : this->Near.front().Key + this->Width;
+    double nearest = this->Near.empty() ? Infinity : this->Near.front().Key;
+    DGG_RETURN_IF_ERROR(findLeast(nearest));
+    const float end = static_cast<float>(nearest) + this->Width;
     while (!this->Near.empty() && this->Near.front().Key <= end)
     {
       if (!isOutdated(this->Near.front()))
@@ -82,8 +95,10 @@ bool PropagationRounds::Next(
       }
       pop();
     }
-  } while (chosen.empty());
-  return true;
+    isNoneChosen = chosen.empty() ? 1.0 : 0.0;
+    DGG_RETURN_IF_ERROR(findLeast(isNoneChosen));
+  }
+  return Status::Success();
 }
 
 /// Labels that were propagated too early are propagated again: if triangles are much smaller than

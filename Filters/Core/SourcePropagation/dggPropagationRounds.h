@@ -5,8 +5,9 @@
 #ifndef dggPropagationRounds_h
 #define dggPropagationRounds_h
 
-#include "dggBucketQueue.h"      // for the queue
-#include "dggPropagationLabel.h" // for labels
+#include "dggBucketQueue.h"       // for the queue
+#include "dggPropagationPieces.h" // for other processes
+#include "dggPropagationLabel.h"  // for labels
 
 #include <atomic>  // for shared data
 #include <cstddef> // for std::size_t
@@ -43,8 +44,10 @@ public:
   explicit PropagationRounds(int threads);
 
   void Push(int thread, float key, Id slot) { this->Queues[thread].Push(key, slot); }
-  /// Returns the entries of the next round, per thread; false if there are none left.
-  bool Next(const PropagationSlot* slots, std::vector<std::vector<BucketQueue::Entry>>& entries);
+  /// Gets the entries of the next round, per thread. `isOver` becomes true if none are left. The
+  /// rounds of all processes are the same; `pieces` is null if there are no others.
+  Status Next(const PropagationSlot* slots, const PropagationPieces* pieces,
+    std::vector<std::vector<BucketQueue::Entry>>& entries, bool& isOver);
   /// Adapts the width after a round, given the number of propagated labels, and of labels from
   /// slots that had been propagated before.
   void AdjustWidth(std::size_t labels, std::size_t known);

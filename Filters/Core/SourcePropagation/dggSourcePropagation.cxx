@@ -5,11 +5,13 @@
 #include "dggProgressPart.h"
 #include "dggPropagation.h"
 #include "dggPropagationFaces.h"
+#include "dggPropagationPieces.h"
 #include "dggRoundTeam.h"
 
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <utility>
 
 namespace dgg
 {
@@ -36,7 +38,10 @@ void ForEachPlace(
     const double offset = sources[k].InitialDistance;
     if (IsVertex(point))
     {
-      visit(point.Vertex, root, offset, VirtualPlace());
+      if (point.Vertex != NoId)
+      {
+        visit(point.Vertex, root, offset, VirtualPlace());
+      }
       continue;
     }
     ForEachFaceAround(mesh, point, [&](Id f, const std::array<double, 3>& b) {
@@ -153,11 +158,11 @@ void PropagationOutput::TakeSources(const std::vector<GeodesicSource>& sources)
   });
 }
 
-/// Runs the propagation with either quality.
+/// Runs the propagation with either quality. `pieces` is null unless other processes take part.
 template <bool High>
 Status RunPropagation(const SurfaceMesh& mesh, const PropagationFaces& faces,
-  const std::vector<GeodesicSource>& sources, const PropagationOptions& options,
-  PropagationResult& result)
+  PropagationPieces* pieces, const std::vector<GeodesicSource>& sources,
+  const PropagationOptions& options, PropagationResult& result)
 {
   // Distances are measured relative to the smallest initial one, so that large initial distances do
   // not cause rounding errors.
@@ -184,17 +189,20 @@ Status RunPropagation(const SurfaceMesh& mesh, const PropagationFaces& faces,
   const int threads =
     std::min(mesh.GetNumberOfFaces() / FacesPerThread, static_cast<Id>(RoundTeam::LargestTeam));
   const ParallelFor parallel = threads > 1 ? options.Parallel : ParallelFor();
-  Propagation<High> propagation(mesh, faces, shift, limit, parallel, parallel ? threads : 1);
+  Propagation<High> propagation(
+    mesh, faces, pieces, shift, limit, parallel, parallel ? threads : 1);
   propagation.Start(sources, options.WantNearestSource || options.WantVirtualSource);
   while (!propagation.IsDone())
   {
-    RoundTeam::Run(parallel, threads, [&](RoundTeam& team) { propagation.Advance(team); });
+    Status status;
+    RoundTeam::Run(parallel, threads, [&](RoundTeam& team) { status = propagation.Advance(team); });
+    DGG_RETURN_IF_ERROR(status);
     // Not while other threads wait for the leader, because observers may run loops of their own.
     DGG_RETURN_IF_ERROR(ReportTo(options.Progress, propagation.GetProgress()));
   }
   result.IsSettled = propagation.IsSettled();
   PropagationOutput output(mesh, options, shift, result);
-  const auto& shortcuts = propagation.FindShortcuts(parallel);
+  DGG_RETURN_IF_ERROR(propagation.FindShortcuts(parallel));
   ForRange(parallel, mesh.GetNumberOfVertices(), VerticesPerBlock, [&](Offset begin, Offset end) {
     for (auto v = static_cast<Id>(begin); v < end; ++v)
     {
@@ -208,7 +216,7 @@ Status RunPropagation(const SurfaceMesh& mesh, const PropagationFaces& faces,
     }
   });
   output.TakeSources(sources);
-  for (const PropagationShortcut& way : shortcuts)
+  for (const PropagationShortcut& way : propagation.GetShortcuts())
   {
     if (output.WantsLabels() && output.IsAt(way.Vertex, propagation.GetDistance(way.Vertex)))
     {
@@ -229,7 +237,34 @@ SourcePropagation::SourcePropagation(const SurfaceMesh& mesh)
 {
 }
 
+SourcePropagation::SourcePropagation(
+  const SurfaceMesh& mesh, double meanEdgeLength, std::unique_ptr<PropagationPieces> pieces)
+  : Mesh(mesh)
+  , Pieces(std::move(pieces))
+  , Faces(std::make_unique<PropagationFaces>(mesh, meanEdgeLength, this->Pieces.get()))
+{
+}
+
 SourcePropagation::~SourcePropagation() = default;
+
+Status SourcePropagation::Prepare(ProcessGroup& group, bool& isUsable)
+{
+  bool isFlat = !this->Faces->HasShadows();
+  DGG_RETURN_IF_ERROR(group.Require(isFlat));
+  this->Faces->SetShadows(!isFlat);
+  isUsable = this->Faces->GetNumberOfHubs() == 0;
+  return group.Require(isUsable);
+}
+
+Status SourcePropagation::RunPiece(ProcessGroup& group, const std::vector<GeodesicSource>& sources,
+  const PropagationOptions& options, double inUse, PropagationResult& result) const
+{
+  result = PropagationResult();
+  this->Pieces->Start(group, inUse);
+  return options.Quality == PropagationQuality::High
+    ? RunPropagation<true>(this->Mesh, *this->Faces, this->Pieces.get(), sources, options, result)
+    : RunPropagation<false>(this->Mesh, *this->Faces, this->Pieces.get(), sources, options, result);
+}
 
 Status SourcePropagation::Run(const std::vector<GeodesicSource>& sources,
   const PropagationOptions& options, PropagationResult& result) const
@@ -241,7 +276,7 @@ Status SourcePropagation::Run(const std::vector<GeodesicSource>& sources,
     return InvalidValue("MaximumDistance", options.MaximumDistance).Fix("Use a number or infinity");
   }
   return options.Quality == PropagationQuality::High
-    ? RunPropagation<true>(this->Mesh, *this->Faces, sources, options, result)
-    : RunPropagation<false>(this->Mesh, *this->Faces, sources, options, result);
+    ? RunPropagation<true>(this->Mesh, *this->Faces, nullptr, sources, options, result)
+    : RunPropagation<false>(this->Mesh, *this->Faces, nullptr, sources, options, result);
 }
 }

@@ -45,7 +45,9 @@ struct PropagationResult
   bool IsSettled = true;
 };
 
+class ProcessGroup;
 class PropagationFaces;
+class PropagationPieces;
 
 /// Virtual source propagation (Trettner, Bommes and Kobbelt, "Geodesic distance computation via
 /// virtual source propagation", 2021) on one mesh, which must outlive the object. A virtual source
@@ -75,6 +77,9 @@ class DGG_CORE_EXPORT SourcePropagation
 {
 public:
   explicit SourcePropagation(const SurfaceMesh& mesh);
+  /// For a piece of a surface; `meanEdgeLength` is that of the surface.
+  SourcePropagation(
+    const SurfaceMesh& mesh, double meanEdgeLength, std::unique_ptr<PropagationPieces> pieces);
   ~SourcePropagation();
   SourcePropagation(const SourcePropagation&) = delete;
   SourcePropagation& operator=(const SourcePropagation&) = delete;
@@ -86,8 +91,20 @@ public:
   Status Run(const std::vector<GeodesicSource>& sources, const PropagationOptions& options,
     PropagationResult& result) const;
 
+  ///@{
+  /// Functions for pieces, which all processes must call. `isUsable` becomes false on all processes
+  /// if a vertex is irregular. RunPiece() is like Run(), but all sources must be valid; those whose
+  /// faces the mesh does not have are at the vertex NoId. Distances are those at the corners of the
+  /// faces of this process; nearest and virtual sources are not available. `inUse` are the bytes in
+  /// use already.
+  Status Prepare(ProcessGroup& group, bool& isUsable);
+  Status RunPiece(ProcessGroup& group, const std::vector<GeodesicSource>& sources,
+    const PropagationOptions& options, double inUse, PropagationResult& result) const;
+  ///@}
+
 private:
   const SurfaceMesh& Mesh;
+  std::unique_ptr<PropagationPieces> Pieces; // null for an entire surface
   std::unique_ptr<PropagationFaces> Faces;
 };
 }

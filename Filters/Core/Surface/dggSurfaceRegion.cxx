@@ -114,7 +114,7 @@ bool SurfaceRegion::AddPiece(const SurfacePiece& piece)
   for (Offset i = 0; i < polygons.NumberOfCells; ++i)
   {
     const auto size = static_cast<std::size_t>(polygons.End(i) - polygons.Begin(i));
-    this->Cells.push_back({ piece.CellIds[first + i], this->Corners.size(), size });
+    this->Cells.push_back({ piece.CellIds[first + i], this->Corners.size(), size, this->Here });
     this->Corners.insert(this->Corners.end(), polygons.Begin(i), polygons.End(i));
     cellOfCorners.insert(cellOfCorners.end(), size, static_cast<Id>(i));
   }
@@ -328,10 +328,7 @@ Status SurfaceRegion::Grow(ProcessGroup& group, int layers, bool isNeeded, doubl
       this->Rim.clear();
     }
     this->LayerBegins.push_back(this->Cells.size());
-    for (const Message& message : messages)
-    {
-      this->AddCells(message);
-    }
+    this->AddCells(messages);
   }
   return Status::Success();
 }
@@ -353,10 +350,7 @@ Status SurfaceRegion::GrowFirst(
     this->Answer(0, near, messages.front());
   }
   DGG_RETURN_IF_ERROR(group.Exchange(messages, this->GetMemorySize() + inUse));
-  for (const Message& message : messages)
-  {
-    this->AddCells(message);
-  }
+  this->AddCells(messages);
   return Status::Success();
 }
 
@@ -416,35 +410,39 @@ void SurfaceRegion::Answer(
 }
 
 /// Adds the cells and points of an answer.
-void SurfaceRegion::AddCells(const Message& message)
+void SurfaceRegion::AddCells(const std::vector<Message>& messages)
 {
-  MessageReader reader(message);
-  const auto cellIds = reader.Take<Offset>();
-  const auto sizes = reader.Take<Offset>();
-  const auto corners = reader.Take<Offset>();
-  const auto pointIds = reader.Take<Offset>();
-  const auto positions = reader.Take<double>();
-  const auto holders = reader.Take<int>();
-  auto next = holders.begin();
-  for (std::size_t i = 0; i < pointIds.size(); ++i)
+  for (std::size_t process = 0; process < messages.size(); ++process)
   {
-    const auto end = next + 1 + *next;
-    const Id before = this->GetNumberOfPoints();
-    const Id point = this->AddPoint(
-      pointIds[i], positions.data() + 3 * i, this->GetSet(std::vector<int>(next + 1, end)));
-    if (point == before)
+    MessageReader reader(messages[process]);
+    const auto cellIds = reader.Take<Offset>();
+    const auto sizes = reader.Take<Offset>();
+    const auto corners = reader.Take<Offset>();
+    const auto pointIds = reader.Take<Offset>();
+    const auto positions = reader.Take<double>();
+    const auto holders = reader.Take<int>();
+    auto next = holders.begin();
+    for (std::size_t i = 0; i < pointIds.size(); ++i)
     {
-      this->AddToRim(point);
+      const auto end = next + 1 + *next;
+      const Id before = this->GetNumberOfPoints();
+      const Id point = this->AddPoint(
+        pointIds[i], positions.data() + 3 * i, this->GetSet(std::vector<int>(next + 1, end)));
+      if (point == before)
+      {
+        this->AddToRim(point);
+      }
+      next = end;
     }
-    next = end;
-  }
-  auto corner = corners.begin();
-  for (std::size_t i = 0; i < cellIds.size(); ++i)
-  {
-    this->Cells.push_back({ cellIds[i], this->Corners.size(), static_cast<std::size_t>(sizes[i]) });
-    for (const auto end = corner + sizes[i]; corner != end; ++corner)
+    auto corner = corners.begin();
+    for (std::size_t i = 0; i < cellIds.size(); ++i)
     {
-      this->Corners.push_back(this->Points.at(*corner));
+      this->Cells.push_back({ cellIds[i], this->Corners.size(), static_cast<std::size_t>(sizes[i]),
+        static_cast<int>(process) });
+      for (const auto end = corner + sizes[i]; corner != end; ++corner)
+      {
+        this->Corners.push_back(this->Points.at(*corner));
+      }
     }
   }
 }
@@ -525,6 +523,7 @@ RegionPolygons SurfaceRegion::MakePolygons(const std::function<bool(const double
       std::back_inserter(polygons.Corners), [&](Id corner) { return rank[corner]; });
     polygons.Offsets.push_back(static_cast<Offset>(polygons.Corners.size()));
     polygons.CellIds.push_back(cell.GlobalId);
+    polygons.Owners.push_back(cell.Owner);
     const auto next = std::upper_bound(this->LayerBegins.begin(), this->LayerBegins.end(), c);
     polygons.Layers.push_back(static_cast<std::uint8_t>(std::min<Offset>(
       next - this->LayerBegins.begin(), std::numeric_limits<std::uint8_t>::max())));

@@ -57,6 +57,7 @@ struct RegionPolygons
   std::vector<Offset> Offsets;
   std::vector<Offset> Corners;
   std::vector<Offset> CellIds;      ///< global
+  std::vector<int> Owners;          ///< per polygon, its process
   std::vector<std::uint8_t> Layers; ///< per polygon, its layer around the piece; 0 for the piece
   std::vector<std::uint8_t> IsFar;  ///< per point, 1 if MakePolygons() excludes some of its cells
 };
@@ -122,6 +123,7 @@ private:
     Offset GlobalId;
     std::size_t Begin; // into Corners
     std::size_t Size;
+    int Owner;
   };
 
   bool AddPiece(const SurfacePiece& piece);
@@ -132,7 +134,7 @@ private:
   std::vector<std::size_t> GetOrderOfCells() const;
   void AddToRim(Id point);
   void Answer(std::size_t process, const std::vector<Offset>& requested, Message& answer);
-  void AddCells(const Message& message);
+  void AddCells(const std::vector<Message>& messages);
 
   int Here = 0; // this process
   std::vector<Offset> PointIds;

@@ -71,61 +71,6 @@ std::string DescribeHeatQuality(const PreparedSurface& surface, double factor, I
           LargestUsefulFactor, ", where mean errors are below 10 %. Use a number around 1")
       : "" });
 }
-
-/// Raises distances below the straight line in space to the nearest of a few sources.
-void KeepAboveStraightLine(const TaskContext& context, const std::vector<GeodesicSource>& sources,
-  double maximum, PropagationResult& result)
-{
-  if (sources.size() > MostStraightSources)
-  {
-    return;
-  }
-  const SurfaceMesh& mesh = context.Surface.GetMeshWithoutAngles();
-  const double unit = mesh.GetMeanEdgeLength(); // squares of coordinates may overflow
-  const double* positions = context.Surface.GetPositions();
-  std::vector<std::array<double, 3>> sourcePositions;
-  sourcePositions.reserve(sources.size());
-  for (const GeodesicSource& source : sources)
-  {
-    sourcePositions.push_back(PositionOf(mesh, source.Point, positions));
-  }
-  const auto straightLine = [&](Offset v) {
-    const double* p = positions + 3 * v;
-    double least = Infinity;
-    for (std::size_t k = 0; k < sources.size(); ++k)
-    {
-      const double x = (p[0] - sourcePositions[k][0]) / unit;
-      const double y = (p[1] - sourcePositions[k][1]) / unit;
-      const double z = (p[2] - sourcePositions[k][2]) / unit;
-      const double length = unit * std::sqrt(x * x + y * y + z * z);
-      least = std::min(least, sources[k].InitialDistance + length);
-    }
-    return least;
-  };
-  const auto size = static_cast<Offset>(result.Distances.size());
-  ForRange(context.Parallel, size, VerticesPerBlock, [&](Offset begin, Offset end) {
-    for (Offset v = begin; v < end; ++v)
-    {
-      const double straight = straightLine(v);
-      const double raise = straight - result.Distances[v];
-      if (!(raise > 0.0))
-      {
-        continue;
-      }
-      // Rounding must not move a vertex beyond the maximum distance.
-      const bool isReached = straight <= maximum + DistanceSlack * unit;
-      result.Distances[v] = isReached ? std::min(straight, maximum) : Infinity;
-      if (!result.NearestSource.empty() && !isReached)
-      {
-        result.NearestSource[v] = NoId;
-      }
-      if (!result.Virtual.empty())
-      {
-        result.Virtual[v].Offset = result.Distances[v] - result.Virtual[v].Length;
-      }
-    }
-  });
-}
 }
 
 //------------------------------------------------------------------------------
@@ -156,6 +101,53 @@ Status FindExactDistances(
 }
 
 //------------------------------------------------------------------------------
+void KeepAboveStraightLine(const TaskContext& context, const std::vector<PlacedSource>& sources,
+  double unit, double maximum, PropagationResult& result)
+{
+  if (sources.size() > MostStraightSources)
+  {
+    return;
+  }
+  const double* positions = context.Surface.GetPositions();
+  const auto straightLine = [&](Offset v) {
+    const double* p = positions + 3 * v;
+    double least = Infinity;
+    for (std::size_t k = 0; k < sources.size(); ++k)
+    {
+      const double x = (p[0] - sources[k].Position[0]) / unit;
+      const double y = (p[1] - sources[k].Position[1]) / unit;
+      const double z = (p[2] - sources[k].Position[2]) / unit;
+      const double length = unit * std::sqrt(x * x + y * y + z * z);
+      least = std::min(least, sources[k].InitialDistance + length);
+    }
+    return least;
+  };
+  const auto size = static_cast<Offset>(result.Distances.size());
+  ForRange(context.Parallel, size, VerticesPerBlock, [&](Offset begin, Offset end) {
+    for (Offset v = begin; v < end; ++v)
+    {
+      const double straight = straightLine(v);
+      const double raise = straight - result.Distances[v];
+      if (!(raise > 0.0))
+      {
+        continue;
+      }
+      // Rounding must not move a vertex beyond the maximum distance.
+      const bool isReached = straight <= maximum + DistanceSlack * unit;
+      result.Distances[v] = isReached ? std::min(straight, maximum) : Infinity;
+      if (!result.NearestSource.empty() && !isReached)
+      {
+        result.NearestSource[v] = NoId;
+      }
+      if (!result.Virtual.empty())
+      {
+        result.Virtual[v].Offset = result.Distances[v] - result.Virtual[v].Length;
+      }
+    }
+  });
+}
+
+//------------------------------------------------------------------------------
 Status FindPropagatedDistances(const TaskContext& context, PropagationSession& session,
   std::optional<PropagationQuality> quality, DistanceTask& task)
 {
@@ -166,7 +158,15 @@ Status FindPropagatedDistances(const TaskContext& context, PropagationSession& s
   options.WantVirtualSource = task.WantVirtualSource;
   PropagationResult result;
   DGG_RETURN_IF_ERROR(session.Run(context, task.Sources, options, result));
-  KeepAboveStraightLine(context, task.Sources, options.MaximumDistance, result);
+  const SurfaceMesh& mesh = context.Surface.GetMeshWithoutAngles();
+  std::vector<PlacedSource> sources;
+  for (const GeodesicSource& source : task.Sources)
+  {
+    sources.push_back(
+      { source.InitialDistance, PositionOf(mesh, source.Point, context.Surface.GetPositions()) });
+  }
+  KeepAboveStraightLine(
+    context, sources, mesh.GetMeanEdgeLength(), options.MaximumDistance, result);
   task.QualityWarning = JoinReasons({ DescribeLongTriangles(context.Surface, LongTrianglesMislead),
     result.IsSettled ? "" : UnsettledDistances });
   TakeAllResults(result, task);

@@ -10,10 +10,12 @@
 #include "dggHeatMethod.h"         // for HeatOptions
 #include "dggPropagationSession.h" // for PropagationSession
 
+#include <array>    // for positions
 #include <cstdint>  // for the build number
 #include <memory>   // for solvers
 #include <optional> // for the quality
 #include <string>   // for remedies
+#include <vector>   // for sources
 
 namespace dgg
 {
@@ -27,6 +29,18 @@ struct TaskContext;
 /// Computes exact distances. The memory of windows is limited if they are kept.
 DGG_CORE_EXPORT Status FindExactDistances(
   const TaskContext& context, ExactEngine engine, bool keepWindows, DistanceTask& task);
+
+/// The position of a source.
+struct PlacedSource
+{
+  double InitialDistance = 0.0;
+  std::array<double, 3> Position;
+};
+
+/// Raises distances below the straight line in space to the nearest source, if there are few.
+/// `unit` is the mean edge length of the surface: squares of coordinates may overflow.
+void KeepAboveStraightLine(const TaskContext& context, const std::vector<PlacedSource>& sources,
+  double unit, double maximum, PropagationResult& result);
 
 /// Computes distances by propagation of virtual sources.
 DGG_CORE_EXPORT Status FindPropagatedDistances(const TaskContext& context,

@@ -17,6 +17,19 @@
 
 namespace dgg
 {
+Status WritePieceDistances(ProcessGroup& group, DistanceResults& results,
+  const DistanceRequest& request, DistanceOutput& output)
+{
+  const PreparedSurface none; // every point is a vertex
+  output.IsReached = FindReached(none, results);
+  bool areAllReached =
+    std::find(output.IsReached.begin(), output.IsReached.end(), false) == output.IsReached.end();
+  DGG_RETURN_IF_ERROR(group.Require(areAllReached));
+  results.AreOthersUnreached = !areAllReached;
+  WriteDistances(none, results, output.IsReached, request, output);
+  return Status::Success();
+}
+
 Status FindPieceDistances(const TaskContext& context, ProcessGroup& group, PieceSearch& search,
   PieceLinks* links, const PieceVirtualSources* virtualSources, const SourceCollection& sources,
   const PieceDistanceOptions& options, const DistanceRequest& request, DistanceOutput& output,
@@ -80,13 +93,6 @@ Status FindPieceDistances(const TaskContext& context, ProcessGroup& group, Piece
   {
     output.Warnings.push_back(warning);
   }
-  const PreparedSurface none; // every point is a vertex
-  output.IsReached = FindReached(none, results);
-  bool areAllReached =
-    std::find(output.IsReached.begin(), output.IsReached.end(), false) == output.IsReached.end();
-  DGG_RETURN_IF_ERROR(group.Require(areAllReached));
-  results.AreOthersUnreached = !areAllReached;
-  WriteDistances(none, results, output.IsReached, request, output);
-  return Status::Success();
+  return WritePieceDistances(group, results, request, output);
 }
 }

@@ -16,6 +16,7 @@ class PieceVirtualSources;
 class ProcessGroup;
 struct DistanceOutput;
 struct DistanceRequest;
+struct DistanceResults;
 struct SourceCollection;
 struct TaskContext;
 
@@ -26,6 +27,10 @@ struct PieceDistanceOptions
   double Accuracy = 0.0;  ///< of links
   bool Correct = true;    ///< false: lengths of paths in the graph
 };
+
+/// Adds distances of a piece as arrays of its points. Must be called by all processes.
+DGG_CORE_EXPORT Status WritePieceDistances(ProcessGroup& group, DistanceResults& results,
+  const DistanceRequest& request, DistanceOutput& output);
 
 /// Computes distances together with the other processes, and adds them as arrays of the points of
 /// the piece. Arrays of the request receive the lengths of paths, which are upper bounds. The

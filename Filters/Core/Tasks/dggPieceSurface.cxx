@@ -176,6 +176,7 @@ Status PieceSurface::CheckFaces(ProcessGroup& group, bool& isUsable)
   SurfaceFacts facts = this->Region.MeasureFacts(region);
   const SurfaceMesh& mesh = region.Mesh;
   DGG_RETURN_IF_ERROR(facts.Share(group));
+  this->TotalFaces = facts.NumberOfFaces;
   this->LongestEdge = facts.LongestEdge;
   PieceFaces faces{ LengthSum(facts.LongestEdge), {} };
   for (Id f = 0; f < mesh.GetNumberOfFaces(); ++f)
@@ -217,6 +218,7 @@ Status PieceSurface::CheckIds(ProcessGroup& group, const SurfacePiece& piece, bo
   }
   PieceNumbers all = here;
   DGG_RETURN_IF_ERROR(group.Sum(all));
+  this->TotalPoints = all.Points.Count;
   this->FirstPoint = all.Points.First;
   this->FirstCell = all.Cells.First;
   isUsable = all.Points.IsConsecutive() && all.Cells.IsConsecutive() &&
@@ -288,6 +290,21 @@ Id PieceSurface::FindVertex(Offset globalId) const
   return found != points.end() && this->Region.GetPointId(*found) == globalId
     ? static_cast<Id>(found - points.begin())
     : NoId;
+}
+
+std::vector<double> PieceSurface::ToPiece(
+  const std::vector<double>& values, Offset numberOfPoints) const
+{
+  std::vector<double> ofPiece(static_cast<std::size_t>(numberOfPoints), Infinity);
+  for (std::size_t v = 0; v < values.size(); ++v)
+  {
+    const Id point = this->Polygons.Points[v];
+    if (point < numberOfPoints)
+    {
+      ofPiece[point] = values[v];
+    }
+  }
+  return ofPiece;
 }
 
 Status PieceSurface::WritePoints(

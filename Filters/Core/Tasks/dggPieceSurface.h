@@ -52,6 +52,11 @@ public:
   TaskContext MakeContext(const TaskContext& context) const;
   /// Returns the layer of each face around the piece; 0 in the piece. See DistanceField::Layers.
   const std::vector<std::uint8_t>& GetLayers() const { return this->Layers; }
+  /// Returns the process of a face.
+  int GetOwner(Id face) const { return this->Polygons.Owners[this->Surface->GetCell(face)]; }
+  /// Returns the numbers of points and faces of the entire surface.
+  Offset GetTotalPoints() const { return this->TotalPoints; }
+  Offset GetTotalFaces() const { return this->TotalFaces; }
   /// Returns true if the triangles of the entire surface may be too long for a field.
   bool HasLongTriangles() const { return this->HasLong; }
   /// Returns the mean edge length of the entire surface.
@@ -71,6 +76,11 @@ public:
   void AddVertex(Offset point, std::size_t index, int process, PiecePoints& here) const;
   /// Returns the vertex at a point with a global id; NoId if the point is not on the surface.
   Id FindVertex(Offset globalId) const;
+  /// Returns the vertex at a point of the entire surface, given by its number, or NoId.
+  Id GetVertexOf(Offset point) const { return this->FindVertex(this->FirstPoint + point); }
+  /// Returns values of the points of the piece, given those of the vertices of this surface;
+  /// Infinity at points without cells.
+  std::vector<double> ToPiece(const std::vector<double>& values, Offset numberOfPoints) const;
   /// Writes the points of all processes to the output of the first one, like WriteSurfacePoints()
   /// on the entire surface.
   Status WritePoints(
@@ -94,6 +104,8 @@ private:
   bool HasLong = false; // triangles that may be too long for a field
   double MeanEdgeLength = 0.0;
   double LongestEdge = 0.0;
+  Offset TotalPoints = 0;
+  Offset TotalFaces = 0;
   Offset FirstPoint = 0; // smallest global ids
   Offset FirstCell = 0;
 };
