@@ -9,9 +9,7 @@
 #include "DGGProperties.h"
 #include "DGGSources.h"
 
-#include "dggDistanceOutput.h"
 #include "dggOutput.h"
-#include "dggPieceDistances.h"
 #include "dggPieceVoronoi.h"
 #include "dggPreparedSurface.h"
 #include "dggProcessGroup.h"
@@ -25,6 +23,7 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
+#include <array>
 #include <numeric>
 #include <string>
 #include <utility>
@@ -44,8 +43,7 @@ public:
     vtkInformationVector* outputVector) override;
   bool CanDistribute() const override
   {
-    return !this->Self->GenerateCells && !this->Self->Centroidal && !this->Self->Preview &&
-      !this->Self->PassSiteArrays;
+    return !this->Self->Centroidal && !this->Self->Preview && !this->Self->PassSiteArrays;
   }
   dgg::Status ExecutePiece(
     const DGGContext& context, const DGGPieceUpdate& update, bool& isDone) override;
@@ -206,24 +204,29 @@ dgg::Status vtkGeodesicVoronoi::vtkInternals::ExecutePiece(
   {
     return dgg::Status::Success();
   }
-  dgg::PieceDistanceOptions options;
-  options.Tolerance = this->Self->ProjectionTolerance;
-  DGG_RETURN_IF_ERROR(group.TakeFromFirst(options.Tolerance));
-  options.Accuracy = this->Searches.GetAccuracy();
-  dgg::DistanceOutput labels;
-  dgg::Output outputs[4]; // other than labels
-  DGG_RETURN_IF_ERROR(dgg::FindPieceLabels(this->Searches.MakeContext(context), group,
-    *this->Searches.GetSurface(), this->Searches.GetSearch(), this->Searches.GetLinks(), sites,
-    options, this->MakeOptions(), labels, outputs[3], isDone));
+  dgg::PieceVoronoiInput input{ this->Searches.GetSearch(), *this->Searches.GetSurface(),
+    this->Searches.GetLinks(), sites, {}, this->MakeOptions() };
+  input.Options.Tolerance = this->Self->ProjectionTolerance;
+  input.Options.Accuracy = this->Searches.GetAccuracy();
+  std::array<int, 2> cells{ { input.Voronoi.LabelsOnly, input.Voronoi.IsRefined } };
+  DGG_RETURN_IF_ERROR(group.TakeFromFirst(input.Options.Tolerance));
+  DGG_RETURN_IF_ERROR(group.TakeFromFirst(cells));
+  input.Voronoi.LabelsOnly = cells[0] != 0;
+  input.Voronoi.IsRefined = cells[1] != 0;
+  dgg::PieceVoronoiOutput found;
+  DGG_RETURN_IF_ERROR(
+    dgg::FindPieceVoronoi(this->Searches.MakeContext(context), group, input, found, isDone));
   if (!isDone)
   {
     return dgg::Status::Success();
   }
-  this->Warn(labels.Warnings);
-  this->FillSurface(context, labels, vtkPolyData::GetData(update.Outputs, 0));
-  for (int port = 1; port < 4 && group.Here == 0; ++port)
+  this->Warn(found.Labels.Warnings);
+  this->FillSurface(context, found.Labels, vtkPolyData::GetData(update.Outputs, 0));
+  DGG_RETURN_IF_ERROR(this->FillOutput(context, found.Borders, update.Outputs, 1));
+  DGG_RETURN_IF_ERROR(this->FillOutput(context, found.Cells, update.Outputs, 2));
+  if (group.Here == 0)
   {
-    DGG_RETURN_IF_ERROR(this->FillOutput(context, outputs[port], update.Outputs, port));
+    DGG_RETURN_IF_ERROR(this->FillOutput(context, found.Sites, update.Outputs, 3));
   }
   this->Searches.Keep(this->GraphUser, this->Self);
   return dgg::Status::Success();

@@ -9,6 +9,9 @@
 
 #include "vtkFieldData.h"
 
+#include <algorithm>
+#include <set>
+
 namespace dggtest
 {
 /// Values of an array in field data; empty if there is no such array.
@@ -125,6 +128,15 @@ protected:
     vtkIdType sum = 0;
     this->Controller->AllReduce(&here, &sum, 1, vtkCommunicator::SUM_OP);
     return sum;
+  }
+
+  /// Expects that the elements of all processes are the expected ones.
+  template <typename Element>
+  void ExpectAll(const std::multiset<Element>& here, const std::multiset<Element>& expected) const
+  {
+    EXPECT_TRUE(std::includes(expected.begin(), expected.end(), here.begin(), here.end()));
+    EXPECT_EQ(
+      this->Sum(static_cast<vtkIdType>(here.size())), static_cast<vtkIdType>(expected.size()));
   }
 
   /// Expects that the update of all processes ends if the last process aborts at one of these

@@ -3,6 +3,7 @@
 /// @file
 /// Isolines that several processes trace together. Run under mpiexec; a single process is valid,
 /// too.
+#include "PieceGeometry.h"
 #include "PieceGraphFixture.h"
 
 #include "vtkApolloniusIsolines.h"
@@ -12,45 +13,6 @@ using namespace dggtest;
 
 namespace
 {
-using Numbers = std::vector<double>;
-
-/// Returns the coordinates of a point of an output.
-Numbers GetPoint(vtkPolyData* output, vtkIdType id)
-{
-  const double* const p = output->GetPoint(id);
-  return { p[0], p[1], p[2] };
-}
-
-/// Calls `visit(line, points)` for the lines of an output.
-template <typename Visitor>
-void ForEachLine(vtkPolyData* output, const Visitor& visit)
-{
-  vtkNew<vtkIdList> points;
-  for (vtkIdType line = 0; line < output->GetNumberOfLines(); ++line)
-  {
-    output->GetLines()->GetCellAtId(line, points);
-    visit(line, points.Get());
-  }
-}
-
-/// Returns the segments of lines, each with its value and the coordinates of its ends.
-std::multiset<Numbers> GetSegments(vtkPolyData* output)
-{
-  vtkDataArray* values = output->GetCellData()->GetScalars();
-  std::multiset<Numbers> segments;
-  ForEachLine(output, [&](vtkIdType line, vtkIdList* points) {
-    for (vtkIdType k = 0; k + 1 < points->GetNumberOfIds(); ++k)
-    {
-      auto [p, q] =
-        std::minmax({ GetPoint(output, points->GetId(k)), GetPoint(output, points->GetId(k + 1)) });
-      p.insert(p.end(), q.begin(), q.end());
-      p.push_back(values->GetComponent(line, 0));
-      segments.insert(p);
-    }
-  });
-  return segments;
-}
-
 /// Returns the points of lines except the ends of open ones, each with its values in arrays.
 std::set<Numbers> GetInnerPoints(vtkPolyData* output, const std::vector<const char*>& arrays)
 {
@@ -75,34 +37,6 @@ std::set<Numbers> GetInnerPoints(vtkPolyData* output, const std::vector<const ch
   return inner;
 }
 
-/// Returns the triangles of bands, each with its values and the coordinates and values of its
-/// corners.
-std::multiset<Numbers> GetTriangles(vtkPolyData* output)
-{
-  std::multiset<Numbers> triangles;
-  vtkNew<vtkIdList> corners;
-  const auto add = [](vtkFieldData* data, vtkIdType id, Numbers& numbers) {
-    for (int i = 0; i < data->GetNumberOfArrays(); ++i)
-    {
-      numbers.push_back(data->GetArray(i)->GetComponent(id, 0));
-    }
-  };
-  for (vtkIdType cell = 0; cell < output->GetNumberOfCells(); ++cell)
-  {
-    Numbers triangle;
-    add(output->GetCellData(), cell, triangle);
-    output->GetCellPoints(cell, corners);
-    for (vtkIdType k = 0; k < corners->GetNumberOfIds(); ++k)
-    {
-      const Numbers point = GetPoint(output, corners->GetId(k));
-      triangle.insert(triangle.end(), point.begin(), point.end());
-      add(output->GetPointData(), corners->GetId(k), triangle);
-    }
-    triangles.insert(triangle);
-  }
-  return triangles;
-}
-
 class IsolinesInPieces : public DividedSurface
 {
 protected:
@@ -116,7 +50,7 @@ protected:
       { "vtkOriginalPointIds", "FaceId", "Barycentric" });
     // The cell of a point on an edge depends on the direction of a ridge.
     this->ExpectLines(together->GetRidges(), alone->GetRidges(), { "vtkOriginalPointIds" });
-    this->ExpectAll(GetTriangles(together->GetBands()), GetTriangles(alone->GetBands()));
+    this->ExpectAll(GetPolygons(together->GetBands()), GetPolygons(alone->GetBands()));
     EXPECT_EQ(together->GetUsedVirtualSources(), alone->GetUsedVirtualSources());
     EXPECT_EQ(this->Sum(together->GetNumberOfFallbacks()), alone->GetNumberOfFallbacks());
     const bool hasLines = together->GetOutput()->GetNumberOfLines() > 0;
@@ -124,14 +58,6 @@ protected:
   }
 
 private:
-  /// Expects that the elements of all processes are the expected ones.
-  void ExpectAll(const std::multiset<Numbers>& here, const std::multiset<Numbers>& expected) const
-  {
-    EXPECT_TRUE(std::includes(expected.begin(), expected.end(), here.begin(), here.end()));
-    EXPECT_EQ(
-      this->Sum(static_cast<vtkIdType>(here.size())), static_cast<vtkIdType>(expected.size()));
-  }
-
   void ExpectLines(
     vtkPolyData* here, vtkPolyData* entire, const std::vector<const char*>& arrays) const
   {

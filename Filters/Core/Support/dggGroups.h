@@ -20,6 +20,28 @@ struct Groups
   std::vector<Id> Members;
 };
 
+/// Lists of values, one after the other.
+template <typename Value>
+struct ValueLists
+{
+  std::vector<Offset> Begins{ 0 }; ///< of each list, and the end of the last one
+  std::vector<Value> Values;
+
+  /// Ends the list of the values that have been added to Values.
+  void EndList() { this->Begins.push_back(static_cast<Offset>(this->Values.size())); }
+  /// Adds a list.
+  void Add(const Value* begin, const Value* end)
+  {
+    this->Values.insert(this->Values.end(), begin, end);
+    this->EndList();
+  }
+  ///@{
+  /// Returns the range of the i-th list.
+  const Value* Begin(Offset i) const { return this->Values.data() + this->Begins[i]; }
+  const Value* End(Offset i) const { return this->Values.data() + this->Begins[i + 1]; }
+  ///@}
+};
+
 /// Sorts elements by group; `groupOf(i)` is the group of an element, or NoId.
 template <typename GroupOf>
 Groups MakeGroups(Id numberOfElements, Id numberOfGroups, const GroupOf& groupOf)

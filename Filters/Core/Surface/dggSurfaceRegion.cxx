@@ -212,23 +212,34 @@ Id SurfaceRegion::AddVertex(Offset globalId, int owner)
   return this->AddPoint(globalId, nowhere, this->GetSet({ owner }));
 }
 
-Status SurfaceRegion::TakeFromOwners(
-  ProcessGroup& group, int components, std::vector<double>& values, double inUse) const
+/// Finds the points of the region that belong to each other process, and the global ids of the
+/// points of this process that each other process requests.
+Status SurfaceRegion::RequestFromOwners(ProcessGroup& group, std::vector<std::vector<Id>>& points,
+  std::vector<std::vector<Offset>>& requested, double inUse) const
 {
-  const auto count = static_cast<std::size_t>(group.Count);
-  std::vector<std::vector<Id>> points(count); // of the region, per owner
-  std::vector<std::vector<Offset>> ids(count);
+  points.resize(static_cast<std::size_t>(group.Count));
+  requested.resize(points.size());
   for (Id point = 0; point < this->GetNumberOfPoints(); ++point)
   {
     const int owner = this->GetOwner(point);
     if (owner != group.Here)
     {
       points[owner].push_back(point);
-      ids[owner].push_back(this->PointIds[point]);
+      requested[owner].push_back(this->PointIds[point]);
     }
   }
-  inUse += this->GetMemorySize() + static_cast<double>(values.size() * sizeof(double));
-  DGG_RETURN_IF_ERROR(group.ExchangeLists(ids, inUse));
+  return group.ExchangeLists(requested, this->GetMemorySize() + inUse);
+}
+
+Status SurfaceRegion::TakeFromOwners(
+  ProcessGroup& group, int components, std::vector<double>& values, double inUse) const
+{
+  const auto count = static_cast<std::size_t>(group.Count);
+  std::vector<std::vector<Id>> points;
+  std::vector<std::vector<Offset>> ids;
+  inUse += static_cast<double>(values.size() * sizeof(double));
+  DGG_RETURN_IF_ERROR(this->RequestFromOwners(group, points, ids, inUse));
+  inUse += this->GetMemorySize();
   std::vector<std::vector<double>> lists(count);
   for (std::size_t process = 0; process < count; ++process)
   {
@@ -486,7 +497,11 @@ RegionPolygons SurfaceRegion::MakePolygons(const std::function<bool(const double
   RegionPolygons polygons;
   std::vector<Id> order = this->GetOrder();
   std::vector<std::size_t> cells = this->GetOrderOfCells();
-  std::vector<std::uint8_t> isFar(isNear ? order.size() : 0);
+  std::vector<std::uint8_t> isFar(order.size());
+  for (const Id point : this->Rim)
+  {
+    isFar[point] = 1;
+  }
   if (isNear)
   {
     std::vector<std::uint8_t> isUsed(order.size(), 0);
@@ -511,7 +526,7 @@ RegionPolygons SurfaceRegion::MakePolygons(const std::function<bool(const double
     rank[order[i]] = static_cast<Offset>(i);
     const auto at = this->Positions.begin() + 3 * static_cast<Offset>(order[i]);
     polygons.Positions.insert(polygons.Positions.end(), at, at + 3);
-    polygons.IsFar.push_back(isNear ? isFar[order[i]] : 0);
+    polygons.IsRim.push_back(isFar[order[i]]);
   }
   polygons.Points = std::move(order);
   polygons.Offsets.push_back(0);

@@ -16,6 +16,7 @@
 #include <functional>    // for conditions
 #include <map>           // for sets of processes
 #include <unordered_map> // for ids
+#include <utility>       // for std::move
 #include <vector>        // for points and cells
 
 namespace dgg
@@ -59,7 +60,7 @@ struct RegionPolygons
   std::vector<Offset> CellIds;      ///< global
   std::vector<int> Owners;          ///< per polygon, its process
   std::vector<std::uint8_t> Layers; ///< per polygon, its layer around the piece; 0 for the piece
-  std::vector<std::uint8_t> IsFar;  ///< per point, 1 if MakePolygons() excludes some of its cells
+  std::vector<std::uint8_t> IsRim;  ///< per point, 1 if some of its cells are missing
 };
 
 /// The piece of a surface that this process has, and cells of other processes around it. A point
@@ -111,6 +112,10 @@ public:
   /// Grow().
   Status TakeFromOwners(
     ProcessGroup& group, int components, std::vector<double>& values, double inUse) const;
+  /// Replaces lists, one per point of the piece, by those of all points of the region; lists of
+  /// points that belong to other processes are taken from there.
+  template <typename Value>
+  Status TakeListsFromOwners(ProcessGroup& group, ValueLists<Value>& lists, double inUse) const;
   /// Returns the point with a global id. Adds a point without cells if there is none, after which
   /// the region must not grow.
   Id AddVertex(Offset globalId, int owner);
@@ -126,6 +131,8 @@ private:
     int Owner;
   };
 
+  Status RequestFromOwners(ProcessGroup& group, std::vector<std::vector<Id>>& points,
+    std::vector<std::vector<Offset>>& requested, double inUse) const;
   bool AddPiece(const SurfacePiece& piece);
   Status FindHolders(ProcessGroup& group, bool& isUnique);
   Id AddPoint(Offset globalId, const double* position, Id holders);
@@ -155,6 +162,47 @@ private:
   std::vector<std::vector<bool>> IsSent;      // per process and cell of the piece
   std::vector<std::vector<bool>> IsPointSent; // per process and point of the piece
 };
+
+template <typename Value>
+Status SurfaceRegion::TakeListsFromOwners(
+  ProcessGroup& group, ValueLists<Value>& lists, double inUse) const
+{
+  std::vector<std::vector<Id>> points;
+  std::vector<std::vector<Offset>> ids;
+  inUse += static_cast<double>(lists.Values.size() * sizeof(Value));
+  DGG_RETURN_IF_ERROR(this->RequestFromOwners(group, points, ids, inUse));
+  std::vector<Message> messages(ids.size());
+  std::vector<ValueLists<Value>> sent(ids.size());
+  for (std::size_t process = 0; process < ids.size(); ++process)
+  {
+    for (const Offset id : ids[process])
+    {
+      const Id point = this->GetPoint(id);
+      sent[process].Add(lists.Begin(point), lists.End(point));
+    }
+    Append(messages[process], sent[process].Begins);
+    Append(messages[process], sent[process].Values);
+  }
+  DGG_RETURN_IF_ERROR(group.Exchange(messages, inUse));
+  for (std::size_t process = 0; process < ids.size(); ++process)
+  {
+    MessageReader reader(messages[process]);
+    sent[process].Begins = reader.Take<Offset>();
+    sent[process].Values = reader.Take<Value>();
+  }
+  ValueLists<Value> all;
+  std::vector<Offset> next(ids.size(), 0);
+  for (Id point = 0; point < this->GetNumberOfPoints(); ++point)
+  {
+    const int owner = this->GetOwner(point);
+    const bool isHere = owner == this->Here;
+    const ValueLists<Value>& from = isHere ? lists : sent[owner];
+    const Offset i = isHere ? point : next[owner]++;
+    all.Add(from.Begin(i), from.End(i));
+  }
+  lists = std::move(all);
+  return Status::Success();
+}
 }
 
 #endif

@@ -221,13 +221,13 @@ std::string GetUnreachedName(const std::string& distances)
 
 //------------------------------------------------------------------------------
 void AddDistances(const std::string& name, const std::vector<double>& distances,
-  double unreachedValue, OutputArrays& arrays)
+  double unreachedValue, OutputArrays& arrays, bool areOthersUnreached)
 {
   std::vector<bool> isReached(distances.size());
   std::transform(distances.begin(), distances.end(), isReached.begin(),
     [](double distance) { return distance < Infinity; });
   std::transform(distances.begin(), distances.end(), arrays.Add<double>(name, distances.size()),
     [=](double distance) { return distance < Infinity ? distance : unreachedValue; });
-  AddMarks(name, unreachedValue, isReached, false, arrays);
+  AddMarks(name, unreachedValue, isReached, areOthersUnreached, arrays);
 }
 }

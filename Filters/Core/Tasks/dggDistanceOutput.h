@@ -118,9 +118,10 @@ DGG_CORE_EXPORT std::string GetUnreachedName(const std::string& distances);
 
 /// Adds an array of distances, with `unreachedValue` in place of Infinity. Since any number except
 /// NaN and plus infinity could be a distance, such a value at unreached points adds the array of
-/// GetUnreachedName() (std::uint8_t: 1 at unreached points, else 0).
+/// GetUnreachedName() (std::uint8_t: 1 at unreached points, else 0), and so does
+/// `areOthersUnreached`.
 DGG_CORE_EXPORT void AddDistances(const std::string& name, const std::vector<double>& distances,
-  double unreachedValue, OutputArrays& arrays);
+  double unreachedValue, OutputArrays& arrays, bool areOthersUnreached = false);
 }
 
 #endif

@@ -17,6 +17,23 @@
 
 namespace dgg
 {
+Status MakePieceSeeds(ProcessGroup& group, const PieceSearch& search, PieceLinks* links,
+  const SourceCollection& sources, const PieceDistanceOptions& options,
+  std::vector<PieceSeed>& seeds, std::vector<std::size_t>& isolated)
+{
+  DGG_RETURN_IF_ERROR(sources.Check(search.GetNumberOfPoints()));
+  for (std::size_t i = 0; i < sources.Ids.size(); ++i)
+  {
+    const double offset = sources.GetInitialDistanceOfId(i);
+    seeds.push_back(
+      { search.GetFirstId() + sources.Ids[i], { NoId, offset, offset, static_cast<Id>(i), -1.0 } });
+  }
+  DGG_RETURN_IF_ERROR(search.FindIsolated(group, seeds, isolated));
+  return sources.GetNumberOfPositions() > 0
+    ? links->Find(group, sources, options.Tolerance, options.Accuracy, seeds)
+    : Status::Success();
+}
+
 Status WritePieceDistances(ProcessGroup& group, DistanceResults& results,
   const DistanceRequest& request, DistanceOutput& output)
 {
@@ -35,20 +52,9 @@ Status FindPieceDistances(const TaskContext& context, ProcessGroup& group, Piece
   const PieceDistanceOptions& options, const DistanceRequest& request, DistanceOutput& output,
   bool& isDone)
 {
-  DGG_RETURN_IF_ERROR(sources.Check(search.GetNumberOfPoints()));
   std::vector<PieceSeed> seeds;
-  for (std::size_t i = 0; i < sources.Ids.size(); ++i)
-  {
-    const double offset = sources.GetInitialDistanceOfId(i);
-    seeds.push_back(
-      { search.GetFirstId() + sources.Ids[i], { NoId, offset, offset, static_cast<Id>(i), -1.0 } });
-  }
   std::vector<std::size_t> isolated;
-  DGG_RETURN_IF_ERROR(search.FindIsolated(group, seeds, isolated));
-  if (sources.GetNumberOfPositions() > 0)
-  {
-    DGG_RETURN_IF_ERROR(links->Find(group, sources, options.Tolerance, options.Accuracy, seeds));
-  }
+  DGG_RETURN_IF_ERROR(MakePieceSeeds(group, search, links, sources, options, seeds, isolated));
   double smallestOffset = Infinity;
   for (const PieceSeed& seed : seeds)
   {

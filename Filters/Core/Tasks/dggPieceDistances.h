@@ -8,6 +8,9 @@
 #include "dggCoreExport.h" // for DGG_CORE_EXPORT
 #include "dggStatus.h"     // for Status
 
+#include <cstddef> // for std::size_t
+#include <vector>  // for seeds
+
 namespace dgg
 {
 class PieceLinks;
@@ -17,6 +20,7 @@ class ProcessGroup;
 struct DistanceOutput;
 struct DistanceRequest;
 struct DistanceResults;
+struct PieceSeed;
 struct SourceCollection;
 struct TaskContext;
 
@@ -27,6 +31,13 @@ struct PieceDistanceOptions
   double Accuracy = 0.0;  ///< of links
   bool Correct = true;    ///< false: lengths of paths in the graph
 };
+
+/// Finds the seeds of a collection, which is the same on all processes, and those of them (by their
+/// indices) at points without edges. `links` may be null if there are no positions. Must be called
+/// by all processes.
+DGG_CORE_EXPORT Status MakePieceSeeds(ProcessGroup& group, const PieceSearch& search,
+  PieceLinks* links, const SourceCollection& sources, const PieceDistanceOptions& options,
+  std::vector<PieceSeed>& seeds, std::vector<std::size_t>& isolated);
 
 /// Adds distances of a piece as arrays of its points. Must be called by all processes.
 DGG_CORE_EXPORT Status WritePieceDistances(ProcessGroup& group, DistanceResults& results,

@@ -77,7 +77,7 @@ Status PiecePropagation::Run(const TaskContext& context, ProcessGroup& group,
     options.MaximumDistance, result);
   DistanceResults results;
   results.MaximumDistance = request.MaximumDistance;
-  results.Distances = this->Surface.ToPiece(result.Distances, this->NumberOfPoints);
+  results.Distances = this->Surface.ToPiece(result.Distances, this->NumberOfPoints, Infinity);
   output.QualityWarning = result.IsSettled || group.Here > 0 ? "" : UnsettledDistances;
   return WritePieceDistances(group, results, request, output);
 }

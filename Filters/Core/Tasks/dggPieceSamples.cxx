@@ -76,7 +76,7 @@ private:
   {
     if (here.Vertex != NoId)
     {
-      const Offset id = this->Search.GetId(this->Connected[here.Vertex]);
+      const Offset id = this->Search.GetIds()[this->Connected[here.Vertex]];
       here.Vertex = static_cast<Id>(id - this->Search.GetFirstId());
     }
     std::vector<FarthestVertex> all;

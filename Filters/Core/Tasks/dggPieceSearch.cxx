@@ -40,19 +40,6 @@ struct SharedValue
   Value Content;
 };
 
-/// Returns one list per process of the values that `valueOf` returns.
-template <typename ValueOf>
-auto ListValues(const std::vector<std::vector<Id>>& vertices, const ValueOf& valueOf)
-{
-  std::vector<std::vector<decltype(valueOf(Id()))>> lists(vertices.size());
-  for (std::size_t process = 0; process < vertices.size(); ++process)
-  {
-    std::transform(vertices[process].begin(), vertices[process].end(),
-      std::back_inserter(lists[process]), valueOf);
-  }
-  return lists;
-}
-
 /// Appends a list to a message unless the list is empty.
 template <typename Value>
 void AppendIfAny(Message& message, const std::vector<Value>& list)
@@ -88,17 +75,18 @@ Status PieceSearch::FindReaders(ProcessGroup& group, const SurfacePiece& piece, 
   std::sort(this->ById.begin(), this->ById.end(),
     [this](Id a, Id b) { return this->Ids[a] < this->Ids[b]; });
   isUsable = true;
+  std::vector<std::vector<Offset>> requested(this->Received.size());
   for (Id v = 0; v < this->Graph.NumberOfVertices; ++v)
   {
     const Id owner = this->Ghosts.Owners[v];
     if (owner >= 0 && owner < group.Count)
     {
       this->Received[owner].push_back(v);
+      requested[owner].push_back(this->Ids[v]);
     }
     isUsable =
       isUsable && (this->IsHere(v) ? v < this->PointsHere : owner >= 0 && owner < group.Count);
   }
-  auto requested = ListValues(this->Received, [this](Id v) { return this->Ids[v]; });
   DGG_RETURN_IF_ERROR(group.ExchangeLists(requested));
   for (std::size_t process = 0; process < requested.size(); ++process)
   {
@@ -140,15 +128,7 @@ Status PieceSearch::MeasureAngles(ProcessGroup& group, const SurfacePiece& piece
       angles[mesh.Points[i]] = ofMesh[i];
     }
   }
-  auto sent = ListValues(this->Sent, [&](Id v) { return angles[v]; });
-  DGG_RETURN_IF_ERROR(group.ExchangeLists(sent));
-  for (std::size_t process = 0; process < sent.size(); ++process)
-  {
-    for (std::size_t k = 0; k < sent[process].size(); ++k)
-    {
-      angles[this->Received[process][k]] = sent[process][k];
-    }
-  }
+  DGG_RETURN_IF_ERROR(this->TakeFromOwners(group, angles));
   Offset edges = 0;
   DGG_RETURN_IF_ERROR(this->CountPoints(group, edges));
   const double deviation = LargestDeviation(this->Graph.Info,

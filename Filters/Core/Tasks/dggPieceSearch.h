@@ -115,8 +115,43 @@ public:
   ///@}
   /// Returns the vertices with edges that belong to this process, in the order of their global ids.
   std::vector<Id> ListConnected() const;
-  /// Returns the global id of a vertex.
-  Offset GetId(Id v) const { return this->Ids[v]; }
+  /// Returns the global ids of the vertices, of which the first are the points of the piece.
+  const std::vector<Offset>& GetIds() const { return this->Ids; }
+  ///@{
+  /// The graph of this process, and its correction.
+  const GraphView& GetGraph() const { return this->Graph; }
+  const LabelCorrection& GetCorrection() const { return *this->Correction; }
+  /// Returns true if a vertex belongs to this process.
+  bool IsHere(Id v) const { return this->Ghosts.Owners[v] == GhostVertices::Here; }
+  /// Returns, per process p, the vertices of this process that p has as well, and the vertices of p
+  /// that this process has. Both processes have them in the same order.
+  const std::vector<std::vector<Id>>& GetSent() const { return this->Sent; }
+  const std::vector<std::vector<Id>>& GetReceived() const { return this->Received; }
+  ///@}
+  /// Replaces the values of vertices of other processes by the values there.
+  template <typename Value>
+  Status TakeFromOwners(ProcessGroup& group, std::vector<Value>& values) const
+  {
+    std::vector<std::vector<Value>> lists(this->Sent.size());
+    for (std::size_t process = 0; process < lists.size(); ++process)
+    {
+      for (const Id v : this->Sent[process])
+      {
+        lists[process].push_back(values[v]);
+      }
+    }
+    DGG_RETURN_IF_ERROR(group.ExchangeLists(lists, this->GetMemorySize()));
+    for (std::size_t process = 0; process < lists.size(); ++process)
+    {
+      for (std::size_t k = 0; k < lists[process].size(); ++k)
+      {
+        values[this->Received[process][k]] = lists[process][k];
+      }
+    }
+    return Status::Success();
+  }
+  /// Returns the seeds at vertices of this process and its ghosts.
+  std::vector<GraphSeed> TakeSeeds(const std::vector<PieceSeed>& seeds) const;
 
   /// Finds the paths of the last Run() to points of the graph, given by their global ids. They are
   /// the paths that GraphSearch::Between() finds. `piece` is that of Prepare(). `isUsable` becomes
@@ -155,12 +190,10 @@ private:
   };
   struct Tree;
 
-  bool IsHere(Id v) const { return this->Ghosts.Owners[v] == GhostVertices::Here; }
   Status FindReaders(ProcessGroup& group, const SurfacePiece& piece, bool& isUsable);
   Status MeasureAngles(ProcessGroup& group, const SurfacePiece& piece, bool& isUsable);
   Status CountPoints(ProcessGroup& group, Offset& edges);
   Id FindVertex(Offset id) const;
-  std::vector<GraphSeed> TakeSeeds(const std::vector<PieceSeed>& seeds) const;
   Status FindLabels(ProcessGroup& group, std::vector<GraphSeed> seeds,
     const PieceSearchOptions& options, bool areFirst);
   bool LowerLabels(const std::vector<GraphSeed>& seeds, bool areFirst, SearchLabels& labels,
@@ -189,12 +222,8 @@ private:
   Offset SmallestId = std::numeric_limits<Offset>::max();
   Offset LargestId = std::numeric_limits<Offset>::min();
   double BucketWidth = 0.0;
-  ///@{
-  // Per process p: vertices of this process that p has as well, and vertices of p that this process
-  // has. Both processes have them in the same order.
   std::vector<std::vector<Id>> Sent;
   std::vector<std::vector<Id>> Received;
-  ///@}
   std::vector<std::vector<double>> LastSent; // labels, per vertex of Sent
   std::unique_ptr<const GraphFans> Fans;     // null if rows are short
   std::unique_ptr<const LabelCorrection> Correction;

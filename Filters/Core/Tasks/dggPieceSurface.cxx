@@ -5,6 +5,7 @@
 #include "dggCellCoordinates.h"
 #include "dggEdges.h"
 #include "dggMeshQuality.h"
+#include "dggRowFinder.h"
 #include "dggSurfaceOutput.h"
 #include "dggTaskContext.h"
 
@@ -18,7 +19,7 @@ namespace dgg
 {
 namespace
 {
-constexpr int NumberOfLayers = 3;
+constexpr int FirstLayers = 3;
 /// Bytes of a point: its corners in polygons, its positions in input and output, and its values.
 constexpr double BytesOfPoint = 256.0;
 /// Bytes of a point of a surface that is gathered: polygons, mesh and search of paths.
@@ -77,6 +78,15 @@ struct PieceNumbers
   }
 };
 
+/// A point of one process for all others.
+struct SharedPoint
+{
+  std::size_t Index;
+  SurfacePoint Point; // vertices, half-edges and faces are those of the sender
+  Offset GlobalId;    // of the point at a vertex, otherwise of the cell
+  Id Triangle;        // of the cell
+};
+
 /// Replaces the ids in an array by `idOf(id)`; NoId is kept.
 template <typename IdOf>
 void Replace(OutputArrays& arrays, const std::string& name, const IdOf& idOf)
@@ -95,8 +105,32 @@ void Replace(OutputArrays& arrays, const std::string& name, const IdOf& idOf)
 
 Status PieceSurface::Prepare(ProcessGroup& group, const SurfacePiece& piece, bool& isUsable)
 {
-  DGG_RETURN_IF_ERROR(this->Start(group, piece, NumberOfLayers, isUsable));
+  DGG_RETURN_IF_ERROR(this->Start(group, piece, FirstLayers, isUsable));
   return isUsable ? this->MakeSurface() : Status::Success();
+}
+
+Status PieceSurface::Grow(ProcessGroup& group, int layers)
+{
+  DGG_RETURN_IF_ERROR(this->Region.Grow(group, layers, true, 0.0));
+  this->NumberOfLayers += layers;
+  this->MakeArrays();
+  return this->MakeSurface();
+}
+
+const GraphBuilder* PieceSurface::GetBuilder()
+{
+  if (!this->Builder && !this->Layers.empty())
+  {
+    GraphRegion region;
+    region.IsRim = this->Polygons.IsRim;
+    for (const Id point : this->Polygons.Points)
+    {
+      region.PointIds.push_back(this->Region.GetPointId(point));
+    }
+    region.NumberOfFaces = this->TotalFaces;
+    this->Builder = std::make_unique<const GraphBuilder>(this->Surface->GetMesh(), region);
+  }
+  return this->Builder.get();
 }
 
 Status PieceSurface::PrepareToGather(ProcessGroup& group, const SurfacePiece& piece, bool& isUsable)
@@ -132,6 +166,7 @@ Status PieceSurface::Start(
     return Status::Success();
   }
   DGG_RETURN_IF_ERROR(this->Region.Grow(group, layers, true, 0.0));
+  this->NumberOfLayers = layers;
   DGG_RETURN_IF_ERROR(this->CheckFaces(group, isUsable));
   if (!isUsable)
   {
@@ -153,6 +188,7 @@ void PieceSurface::MakeArrays(const std::function<bool(const double*)>& isNear)
 
 Status PieceSurface::MakeSurface()
 {
+  this->Builder.reset();
   this->Surface = std::make_shared<const PreparedSurface>();
   this->Layers.clear();
   if (!this->Polygons.CellIds.empty())
@@ -273,6 +309,61 @@ Status PieceSurface::Locate(
   return locator.Locate(group, sources, tolerance, here);
 }
 
+Status PieceSurface::ShareAll(
+  ProcessGroup& group, const PiecePoints& here, std::vector<SurfacePoint>& points) const
+{
+  std::vector<SharedPoint> shared;
+  for (std::size_t i = 0; i < here.Points.size(); ++i)
+  {
+    SharedPoint point{ here.Indices[i], here.Points[i], NoId, 0 };
+    if (IsVertex(point.Point))
+    {
+      point.GlobalId = this->Region.GetPointId(this->Polygons.Points[point.Point.Vertex]);
+    }
+    else
+    {
+      point.GlobalId = this->Polygons.CellIds[this->Surface->GetCell(point.Point.Face)];
+      point.Triangle = point.Point.Face - this->FindFace(point.GlobalId);
+    }
+    shared.push_back(point);
+  }
+  DGG_RETURN_IF_ERROR(group.JoinLists(shared));
+  points.assign(shared.size(), SurfacePoint());
+  for (const SharedPoint& found : shared)
+  {
+    SurfacePoint point = found.Point;
+    if (IsVertex(point))
+    {
+      point = SurfacePoint::AtVertex(this->FindVertex(found.GlobalId));
+    }
+    else
+    {
+      const Id first = this->FindFace(found.GlobalId);
+      const Id face = first + found.Triangle;
+      point.HalfEdge = point.HalfEdge == NoId ? NoId : 3 * face + point.HalfEdge % 3;
+      point.Face = face;
+      point = first == NoId ? SurfacePoint() : point;
+    }
+    points[found.Index] = point;
+  }
+  return Status::Success();
+}
+
+/// Returns the first face of a cell with a global id; NoId if the cell is not on the surface.
+Id PieceSurface::FindFace(Offset cellId) const
+{
+  const auto faces = static_cast<Id>(this->Layers.size());
+  Id first = 0;
+  for (Id end = faces; first < end;)
+  {
+    const Id middle = first + (end - first) / 2;
+    const bool isBefore = this->Polygons.CellIds[this->Surface->GetCell(middle)] < cellId;
+    (isBefore ? first : end) = isBefore ? middle + 1 : middle;
+  }
+  return first < faces && this->Polygons.CellIds[this->Surface->GetCell(first)] == cellId ? first
+                                                                                          : NoId;
+}
+
 void PieceSurface::AddVertex(Offset point, std::size_t index, int process, PiecePoints& here) const
 {
   const Id v = this->FindVertex(this->FirstPoint + point);
@@ -290,21 +381,6 @@ Id PieceSurface::FindVertex(Offset globalId) const
   return found != points.end() && this->Region.GetPointId(*found) == globalId
     ? static_cast<Id>(found - points.begin())
     : NoId;
-}
-
-std::vector<double> PieceSurface::ToPiece(
-  const std::vector<double>& values, Offset numberOfPoints) const
-{
-  std::vector<double> ofPiece(static_cast<std::size_t>(numberOfPoints), Infinity);
-  for (std::size_t v = 0; v < values.size(); ++v)
-  {
-    const Id point = this->Polygons.Points[v];
-    if (point < numberOfPoints)
-    {
-      ofPiece[point] = values[v];
-    }
-  }
-  return ofPiece;
 }
 
 Status PieceSurface::WritePoints(

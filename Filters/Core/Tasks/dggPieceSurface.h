@@ -7,6 +7,7 @@
 
 #include "dggCoreExport.h"      // for DGG_CORE_EXPORT
 #include "dggFieldPieces.h"     // for the connection to other processes
+#include "dggGraphBuilder.h"    // for links
 #include "dggPieceLocator.h"    // for positions
 #include "dggPreparedSurface.h" // for the surface
 #include "dggProcessGroup.h"    // for messages
@@ -14,6 +15,7 @@
 
 #include <cstdint>    // for flags
 #include <functional> // for conditions
+#include <memory>     // for the builder
 #include <vector>     // for values
 
 namespace dgg
@@ -34,6 +36,11 @@ public:
   /// if there are other cells than polygons, and if a process has points but no cells.
   Status Prepare(ProcessGroup& group, const SurfacePiece& piece, bool& isUsable);
 
+  /// Adds layers of cells.
+  Status Grow(ProcessGroup& group, int layers);
+  /// Returns a builder that links points of the surface; null without faces.
+  const GraphBuilder* GetBuilder();
+
   ///@{
   /// PrepareToGather() prepares GatherNear(), which replaces the surface of the first process by
   /// all cells at points for which `isNear(position)` is true. The condition must be the same on
@@ -42,7 +49,7 @@ public:
   Status GatherNear(
     ProcessGroup& group, const std::function<bool(const double*)>& isNear, double inUse);
   /// Returns 1 per vertex some of whose cells are not on the surface, otherwise 0.
-  const std::vector<std::uint8_t>& GetRim() const { return this->Polygons.IsFar; }
+  const std::vector<std::uint8_t>& GetRim() const { return this->Polygons.IsRim; }
   ///@}
 
   const PreparedSurface& Get() const { return *this->Surface; }
@@ -52,6 +59,8 @@ public:
   TaskContext MakeContext(const TaskContext& context) const;
   /// Returns the layer of each face around the piece; 0 in the piece. See DistanceField::Layers.
   const std::vector<std::uint8_t>& GetLayers() const { return this->Layers; }
+  /// Returns the number of layers around the piece.
+  int GetNumberOfLayers() const { return this->NumberOfLayers; }
   /// Returns the process of a face.
   int GetOwner(Id face) const { return this->Polygons.Owners[this->Surface->GetCell(face)]; }
   /// Returns the numbers of points and faces of the entire surface.
@@ -68,6 +77,22 @@ public:
   /// Replaces the values of points of the piece, `components` each, by those of all points of the
   /// surface.
   Status Extend(ProcessGroup& group, int components, std::vector<double>& values) const;
+  /// Extends lists in the same manner, and calls `use(begin, end)` for the list of each vertex.
+  template <typename Value, typename Use>
+  Status ExtendLists(
+    ProcessGroup& group, ValueLists<Value>& lists, double inUse, const Use& use) const
+  {
+    DGG_RETURN_IF_ERROR(this->Region.TakeListsFromOwners(group, lists, inUse));
+    for (const Id point : this->Polygons.Points)
+    {
+      use(lists.Begin(point), lists.End(point));
+    }
+    return Status::Success();
+  }
+  /// Gets the points of all processes, by their indices. Points outside of this surface have
+  /// neither a vertex nor a face.
+  Status ShareAll(
+    ProcessGroup& group, const PiecePoints& here, std::vector<SurfacePoint>& points) const;
   /// Locates positions: see PieceLocator::Locate().
   Status Locate(ProcessGroup& group, const SourceCollection& sources, double tolerance,
     PiecePoints& here) const;
@@ -78,9 +103,23 @@ public:
   Id FindVertex(Offset globalId) const;
   /// Returns the vertex at a point of the entire surface, given by its number, or NoId.
   Id GetVertexOf(Offset point) const { return this->FindVertex(this->FirstPoint + point); }
-  /// Returns values of the points of the piece, given those of the vertices of this surface;
-  /// Infinity at points without cells.
-  std::vector<double> ToPiece(const std::vector<double>& values, Offset numberOfPoints) const;
+  /// Returns values of the points of the piece, given those of the vertices of this surface; `none`
+  /// at points without cells.
+  template <typename Value>
+  std::vector<Value> ToPiece(
+    const std::vector<Value>& values, Offset numberOfPoints, Value none) const
+  {
+    std::vector<Value> ofPiece(static_cast<std::size_t>(numberOfPoints), none);
+    for (std::size_t v = 0; v < values.size(); ++v)
+    {
+      const Id point = this->Polygons.Points[v];
+      if (point < numberOfPoints)
+      {
+        ofPiece[point] = values[v];
+      }
+    }
+    return ofPiece;
+  }
   /// Writes the points of all processes to the output of the first one, like WriteSurfacePoints()
   /// on the entire surface.
   Status WritePoints(
@@ -95,12 +134,15 @@ private:
   Status MakeSurface();
   Status CheckFaces(ProcessGroup& group, bool& isUsable);
   Status CheckIds(ProcessGroup& group, const SurfacePiece& piece, bool& isUsable);
+  Id FindFace(Offset cellId) const;
 
   SurfaceRegion Region;
   RegionPolygons Polygons;
   SurfaceArrays Arrays; // of Polygons
   PreparedSurface::Pointer Surface;
+  std::unique_ptr<const GraphBuilder> Builder; // null until needed
   std::vector<std::uint8_t> Layers;
+  int NumberOfLayers = 0;
   bool HasLong = false; // triangles that may be too long for a field
   double MeanEdgeLength = 0.0;
   double LongestEdge = 0.0;

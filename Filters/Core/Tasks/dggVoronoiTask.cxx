@@ -99,13 +99,15 @@ Status FindExactCells(const TaskContext& context, double accuracy, const Progres
 class VoronoiWriter
 {
 public:
-  VoronoiWriter(
-    const TaskContext& context, const VoronoiOptions& options, const VoronoiResult& result)
+  VoronoiWriter(const TaskContext& context, const VoronoiOptions& options,
+    const VoronoiResult& result, const std::vector<double>& areas, bool areOthersUnreached = false)
     : Context(context)
     , Options(options)
     , Result(result)
+    , Areas(areas)
     , Diagram(result.Diagram)
     , NumberOfVertices(static_cast<Id>(result.Diagram.Distances.size()))
+    , AreOthersUnreached(areOthersUnreached)
   {
   }
 
@@ -132,10 +134,7 @@ public:
 
   void WriteBorders(Output& output) const
   {
-    // Only points of curves are written, in ascending order.
-    std::vector<Id> used = this->Diagram.CurvePoints;
-    std::sort(used.begin(), used.end());
-    used.erase(std::unique(used.begin(), used.end()), used.end());
+    const std::vector<Id> used = ListUsed(this->Diagram.CurvePoints);
     this->WritePoints(used, output);
     const std::size_t count = this->Diagram.GetNumberOfCurves();
     output.Lines.Offsets = Buffer<Offset>(count + 1);
@@ -144,9 +143,7 @@ public:
     std::copy(this->Diagram.CurveOffsets.begin(), this->Diagram.CurveOffsets.end(),
       output.Lines.Offsets.begin());
     std::transform(this->Diagram.CurvePoints.begin(), this->Diagram.CurvePoints.end(),
-      output.Lines.Points.begin(), [&used](Id point) {
-        return std::lower_bound(used.begin(), used.end(), point) - used.begin();
-      });
+      output.Lines.Points.begin(), [&](Id point) { return IndexIn(used, point); });
     std::int32_t* const sites = output.CellData.Add<std::int32_t>("SiteId", count, 2);
     for (std::size_t k = 0; k < count; ++k)
     {
@@ -155,12 +152,10 @@ public:
     }
   }
 
-  void WriteCells(Output& output) const
+  /// Writes polygons with the listed points, in ascending order.
+  void WriteCells(const std::vector<Id>& points, Output& output) const
   {
-    std::vector<Id> points(this->Diagram.Distances.size() + this->Diagram.BorderPoints.size());
-    std::iota(points.begin(), points.end(), 0);
     this->WritePoints(points, output);
-    const std::vector<double> areas = this->SumAreas();
     const std::size_t count = this->Diagram.GetNumberOfPolygons();
     output.Polygons.Offsets = Buffer<Offset>(count + 1);
     output.Polygons.Points = Buffer<Offset>(this->Diagram.PolygonPoints.size());
@@ -184,23 +179,29 @@ public:
         std::copy(begin, end, corners);
       }
       output.Polygons.Offsets[k + 1] = this->Diagram.PolygonOffsets[k + 1];
+      if (points.size() < this->GetNumberOfPoints())
+      {
+        std::transform(corners, corners + (end - begin), corners,
+          [&](Offset point) { return IndexIn(points, static_cast<Id>(point)); });
+      }
       sites[k] = this->Diagram.PolygonSites[k];
-      cellAreas[k] = sites[k] == NoId ? areas.back() : areas[sites[k]];
+      cellAreas[k] = sites[k] == NoId ? this->Areas.back() : this->Areas[sites[k]];
       faces[k] = GetOriginalCell(this->Context.Surface, face);
     }
     output.CellScalars = "SiteId";
   }
 
-  void WriteSites(Output& output) const
+  std::size_t GetNumberOfPoints() const
   {
-    WriteSurfacePoints(this->Context, GetPoints(this->Result.Sites), output);
-    AddSiteIds(output);
-    if (!HasLabelsOnly(this->Context, this->Options))
-    {
-      const std::size_t count = this->Result.Sites.size();
-      const std::vector<double> areas = this->SumAreas();
-      std::copy_n(areas.begin(), count, output.PointData.Add<double>("CellArea", count));
-    }
+    return this->Diagram.Distances.size() + this->Diagram.BorderPoints.size();
+  }
+
+  /// Returns the points in a list, ascending, each once.
+  static std::vector<Id> ListUsed(std::vector<Id> points)
+  {
+    std::sort(points.begin(), points.end());
+    points.erase(std::unique(points.begin(), points.end()), points.end());
+    return points;
   }
 
 private:
@@ -211,16 +212,9 @@ private:
       : this->Diagram.BorderPoints[point - this->NumberOfVertices];
   }
 
-  /// Returns the area of the cell of each site, and at the end the unreached area.
-  std::vector<double> SumAreas() const
+  static Offset IndexIn(const std::vector<Id>& used, Id point)
   {
-    std::vector<double> areas(this->Result.Sites.size() + 1, 0.0);
-    for (std::size_t i = 0; i < this->Diagram.GetNumberOfPolygons(); ++i)
-    {
-      const Id site = this->Diagram.PolygonSites[i];
-      (site == NoId ? areas.back() : areas[site]) += this->Diagram.PolygonAreas[i];
-    }
-    return areas;
+    return std::lower_bound(used.begin(), used.end(), point) - used.begin();
   }
 
   /// Writes positions and distances of points of the diagram.
@@ -246,15 +240,17 @@ private:
           ? this->Diagram.Distances[point]
           : this->Diagram.BorderDistances[point - this->NumberOfVertices]);
     }
-    AddDistances(
-      this->Options.DistanceName, distances, this->Options.UnreachedValue, output.PointData);
+    AddDistances(this->Options.DistanceName, distances, this->Options.UnreachedValue,
+      output.PointData, this->AreOthersUnreached);
   }
 
   const TaskContext& Context;
   const VoronoiOptions& Options;
   const VoronoiResult& Result;
+  const std::vector<double>& Areas;
   const VoronoiDiagram& Diagram;
   Id NumberOfVertices;
+  bool AreOthersUnreached;
 };
 }
 
@@ -365,14 +361,41 @@ std::vector<Id> GetNearestSites(const TaskContext& context, const VoronoiResult&
 void WriteVoronoi(const TaskContext& context, const VoronoiOptions& options,
   const VoronoiResult& result, Output& surface, Output& borders, Output& cells, Output& sites)
 {
-  const VoronoiWriter writer(context, options, result);
+  const std::vector<double> areas = SumCellAreas(result.Diagram, result.Sites.size());
+  const VoronoiWriter writer(context, options, result, areas);
   writer.WriteSurface(surface);
+  WriteSurfacePoints(context, GetPoints(result.Sites), sites);
+  AddSiteIds(sites);
   if (!HasLabelsOnly(context, options))
   {
+    std::vector<Id> points(writer.GetNumberOfPoints());
+    std::iota(points.begin(), points.end(), 0);
     writer.WriteBorders(borders);
-    writer.WriteCells(cells);
+    writer.WriteCells(points, cells);
+    AddCellAreas(areas, sites);
   }
-  writer.WriteSites(sites);
+}
+
+//------------------------------------------------------------------------------
+void WriteVoronoiPiece(const TaskContext& context, const VoronoiOptions& options,
+  const VoronoiResult& result, const std::vector<double>& areas, bool areOthersUnreached,
+  Output& borders, Output& cells)
+{
+  const VoronoiWriter writer(context, options, result, areas, areOthersUnreached);
+  writer.WriteBorders(borders);
+  writer.WriteCells(VoronoiWriter::ListUsed(result.Diagram.PolygonPoints), cells);
+}
+
+//------------------------------------------------------------------------------
+std::vector<double> SumCellAreas(const VoronoiDiagram& diagram, std::size_t numberOfSites)
+{
+  std::vector<double> areas(numberOfSites + 1, 0.0);
+  for (std::size_t i = 0; i < diagram.GetNumberOfPolygons(); ++i)
+  {
+    const Id site = diagram.PolygonSites[i];
+    (site == NoId ? areas.back() : areas[site]) += diagram.PolygonAreas[i];
+  }
+  return areas;
 }
 
 //------------------------------------------------------------------------------
@@ -381,5 +404,12 @@ void AddSiteIds(Output& sites)
   const std::size_t count = sites.Points.Size() / 3;
   std::int32_t* const ids = sites.PointData.Add<std::int32_t>("SiteId", count);
   std::iota(ids, ids + count, 0);
+}
+
+//------------------------------------------------------------------------------
+void AddCellAreas(const std::vector<double>& areas, Output& sites)
+{
+  const std::size_t count = sites.Points.Size() / 3;
+  std::copy_n(areas.begin(), count, sites.PointData.Add<double>("CellArea", count));
 }
 }

@@ -10,8 +10,9 @@
 #include "dggGeodesicSource.h" // for GeodesicSource
 #include "dggVoronoi.h"        // for VoronoiDiagram
 
-#include <string> // for names
-#include <vector> // for sites
+#include <cstddef> // for std::size_t
+#include <string>  // for names
+#include <vector>  // for sites
 
 namespace dgg
 {
@@ -52,6 +53,9 @@ struct VoronoiResult
 DGG_CORE_EXPORT Status FindVoronoiCells(const TaskContext& context, GraphSession& graph,
   const VoronoiOptions& options, VoronoiResult& result);
 
+/// Returns the area of the cell of each site, and at the end the unreached area.
+std::vector<double> SumCellAreas(const VoronoiDiagram& diagram, std::size_t numberOfSites);
+
 /// Computes the labels of the sites in `result` without a graph.
 DGG_CORE_EXPORT Status FindVoronoiPreview(
   const TaskContext& context, PropagationSession& session, VoronoiResult& result);
@@ -70,8 +74,16 @@ DGG_CORE_EXPORT std::vector<Id> GetNearestSites(
 DGG_CORE_EXPORT void WriteVoronoi(const TaskContext& context, const VoronoiOptions& options,
   const VoronoiResult& result, Output& surface, Output& borders, Output& cells, Output& sites);
 
-/// Adds the array `SiteId` to the points of all sites.
-DGG_CORE_EXPORT void AddSiteIds(Output& sites);
+/// Writes the borders and cells of a piece of the surface; cells have only the vertices that they
+/// use. `areas` are those of all pieces (SumCellAreas()). If `areOthersUnreached`, points of other
+/// pieces are unreached.
+void WriteVoronoiPiece(const TaskContext& context, const VoronoiOptions& options,
+  const VoronoiResult& result, const std::vector<double>& areas, bool areOthersUnreached,
+  Output& borders, Output& cells);
+
+/// Add the array `SiteId` to the points of all sites, and `CellArea`.
+void AddSiteIds(Output& sites);
+void AddCellAreas(const std::vector<double>& areas, Output& sites);
 }
 
 #endif

@@ -21,6 +21,7 @@ struct Side
 {
   std::array<Id, 2> Points;
   Id Site;
+  Id Face;
 };
 
 /// A segment between two sites, in ascending order.
@@ -55,8 +56,8 @@ std::vector<Side> CollectSides(const VoronoiDiagram& diagram)
       const Id to = diagram.PolygonPoints[k];
       if (siteOf[from] == Shared && siteOf[to] == Shared && diagram.PolygonSites[i] != NoId)
       {
-        sides.push_back(
-          { { { std::min(from, to), std::max(from, to) } }, diagram.PolygonSites[i] });
+        sides.push_back({ { { std::min(from, to), std::max(from, to) } }, diagram.PolygonSites[i],
+          diagram.PolygonFaces[i] });
       }
       from = to;
     }
@@ -68,7 +69,7 @@ std::vector<Side> CollectSides(const VoronoiDiagram& diagram)
 }
 }
 
-void AddBorderCurves(VoronoiDiagram& diagram)
+void AddBorderCurves(const std::uint8_t* layers, VoronoiDiagram& diagram)
 {
   const std::vector<Side> sides = CollectSides(diagram);
   std::vector<Segment> segments; // between each two cells at a side
@@ -76,7 +77,7 @@ void AddBorderCurves(VoronoiDiagram& diagram)
   {
     for (auto b = a + 1; b != sides.end() && b->Points == a->Points; ++b)
     {
-      if (a->Site != b->Site)
+      if (a->Site != b->Site && (!layers || layers[std::min(a->Face, b->Face)] == 0))
       {
         segments.push_back({ { { a->Site, b->Site } }, a->Points });
       }

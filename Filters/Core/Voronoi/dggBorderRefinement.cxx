@@ -34,6 +34,12 @@ constexpr std::size_t SmallestMesh = 2500; // minimum number of faces for the li
 /// Maximum step, as a fraction of the distance to a side of the face.
 constexpr double LargestPart = 0.9;
 
+/// Returns false for a site outside of a region.
+bool IsOnMesh(const SurfacePoint& site)
+{
+  return site.Vertex != NoId || !IsVertex(site);
+}
+
 /// Returns the location after a step in barycentric coordinates, shortened to stay in the face.
 std::array<double, 3> Step(
   const std::array<double, 3>& place, const std::array<double, 3>& direction)
@@ -58,13 +64,13 @@ BorderRefinement::BorderRefinement(const SurfaceMesh& mesh, const SiteDistances&
   , Builder(builder)
   , Accuracy(accuracy)
   , Sites(sites)
+  , NumberOfFaces(mesh.GetNumberOfFaces())
 {
 }
 
 std::size_t BorderRefinement::GetMostWork() const
 {
-  return MostWorkOfFace *
-    std::max(SmallestMesh, static_cast<std::size_t>(this->Mesh.GetNumberOfFaces()));
+  return MostWorkOfFace * std::max(SmallestMesh, static_cast<std::size_t>(this->NumberOfFaces));
 }
 
 void BorderRefinement::Balance(Id halfEdge, const std::array<Id, 2>& sites, double low, double high,
@@ -211,24 +217,32 @@ bool BorderRefinement::IsDoubtful(
 bool BorderRefinement::Measure(
   const SurfacePoint& point, const Id* sites, std::size_t count, double* distances) const
 {
-  if (this->Work > this->GetMostWork())
+  if (this->Work > this->GetMostWork() || this->MeetsRim)
   {
     return false;
   }
   std::vector<SurfacePoint> targets;
   for (std::size_t i = 0; i < count; ++i)
   {
-    targets.push_back(this->Sites[sites[i]]);
+    const SurfacePoint& site = this->Sites[sites[i]];
+    if (IsOnMesh(site))
+    {
+      targets.push_back(site);
+    }
   }
   std::vector<GraphLink> links;
   std::vector<double> direct;
-  if (!this->Builder.Link(point, this->Accuracy, targets, links, direct, &this->Work).IsOk())
+  if (!this->Builder
+         .Link(point, this->Accuracy, targets, links, direct, &this->Work, &this->MeetsRim)
+         .IsOk() ||
+    this->MeetsRim)
   {
     return false;
   }
+  auto next = direct.begin();
   for (std::size_t i = 0; i < count; ++i)
   {
-    distances[i] = direct[i];
+    distances[i] = IsOnMesh(this->Sites[sites[i]]) ? *next++ : Infinity;
     for (const GraphLink& link : links)
     {
       const SiteDistances::Entry* entry = this->Distances.Find(link.Vertex, sites[i]);

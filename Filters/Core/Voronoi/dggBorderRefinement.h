@@ -29,8 +29,9 @@ namespace dgg
 class BorderRefinement
 {
 public:
-  /// All arguments must outlive the object. `sites` are the positions of all sites. Links have the
-  /// given `accuracy`; distances may differ by a fraction of it.
+  /// All arguments must outlive the object. `sites` are the positions of all sites; those outside
+  /// of a region have no vertex. Links have the given `accuracy`; distances may differ by a
+  /// fraction of it.
   BorderRefinement(const SurfaceMesh& mesh, const SiteDistances& distances,
     const GraphBuilder& builder, double accuracy, const std::vector<SurfacePoint>& sites);
 
@@ -49,9 +50,14 @@ public:
   bool IsWrong(Id face, const std::array<Id, 2>& sites, const std::array<double, 3>& place,
     double distance) const;
 
-  /// Return the work of links where windows multiplied (see GraphBuilder::Link()), and its limit.
+  /// Return the work of links where windows multiplied (see GraphBuilder::Link()), and its limit,
+  /// which is proportional to the number of faces. If the mesh is a region of a larger surface, the
+  /// limit is that of the surface.
   std::size_t GetWork() const { return this->Work; }
   std::size_t GetMostWork() const;
+  void SetNumberOfFaces(Offset ofSurface) { this->NumberOfFaces = ofSurface; }
+  /// Returns true if windows of a link met the rim of a region, after which no point is moved.
+  bool HasMetRim() const { return this->MeetsRim; }
 
 private:
   using Coordinates = std::array<double, 3>;
@@ -69,7 +75,9 @@ private:
   const GraphBuilder& Builder;
   double Accuracy;
   const std::vector<SurfacePoint>& Sites;
+  Offset NumberOfFaces;
   mutable std::size_t Work = 0;
+  mutable bool MeetsRim = false;
 };
 }
 

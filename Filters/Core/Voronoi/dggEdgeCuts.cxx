@@ -76,7 +76,8 @@ Status EdgeCuts::Run(const SiteDistances& distances, const BorderRefinement* ref
       DGG_RETURN_IF_ERROR(ReportTo(progress, static_cast<double>(h) / size));
     }
     this->Offsets.push_back(static_cast<Offset>(this->Cuts.size()));
-    if (this->Mesh.IsDropped(SurfaceMesh::Face(h)) || FindEdge(this->Mesh, h) != h)
+    if (this->Mesh.IsDropped(SurfaceMesh::Face(h)) || FindEdge(this->Mesh, h) != h ||
+      !this->IsNeeded(h))
     {
       continue;
     }
@@ -88,6 +89,15 @@ Status EdgeCuts::Run(const SiteDistances& distances, const BorderRefinement* ref
   }
   this->Offsets.push_back(static_cast<Offset>(this->Cuts.size()));
   return Status::Success();
+}
+
+/// Returns true if a face of the edge is in the piece or in the first layer around the piece.
+bool EdgeCuts::IsNeeded(Id halfEdge) const
+{
+  bool isNeeded = !this->Layers || this->Layers[SurfaceMesh::Face(halfEdge)] <= 1;
+  ForEachFaceBehind(this->Mesh, halfEdge, false,
+    [&](Id behind, bool) { isNeeded = isNeeded || this->Layers[SurfaceMesh::Face(behind)] <= 1; });
+  return isNeeded;
 }
 
 /// Refines the cuts of the most recent edge, each between its neighbors.

@@ -8,7 +8,8 @@
 #include "dggSiteDistances.h" // for the distances
 #include "dggSurfaceMesh.h"   // for SurfaceMesh
 
-#include <vector> // for the cuts
+#include <cstdint> // for layers
+#include <vector>  // for the cuts
 
 namespace dgg
 {
@@ -35,8 +36,11 @@ constexpr double SamePlace = 1e-5;
 class EdgeCuts
 {
 public:
-  explicit EdgeCuts(const SurfaceMesh& mesh)
+  /// If `layers` are not null, finds only the cuts of edges of faces up to layer 1
+  /// (DistanceField::Layers).
+  explicit EdgeCuts(const SurfaceMesh& mesh, const std::uint8_t* layers = nullptr)
     : Mesh(mesh)
+    , Layers(layers)
   {
   }
 
@@ -49,10 +53,12 @@ public:
   std::vector<EdgeCut> Of(Id halfEdge) const;
 
 private:
+  bool IsNeeded(Id halfEdge) const;
   void Refine(Id halfEdge, const BorderRefinement& refinement, VoronoiDiagram& diagram);
   void Cut(Id halfEdge, const SiteDistances& distances, VoronoiDiagram& diagram);
 
   const SurfaceMesh& Mesh;
+  const std::uint8_t* Layers;
   std::vector<Offset>
     Offsets; ///< per half-edge, plus one; only FindEdge() representatives have cuts
   std::vector<EdgeCut> Cuts;

@@ -6,11 +6,28 @@
 #define dggSiteDistances_h
 
 #include "dggGraphSearch.h" // for GraphSeed
+#include "dggGroups.h"      // for the lists
 
-#include <vector> // for the lists
+#include <cstddef> // for std::size_t
+#include <vector>  // for seeds
 
 namespace dgg
 {
+class FartherSites;
+struct NearestSites;
+
+/// Returns the indices of the seeds without those of duplicate sites: sites with exactly the seeds
+/// of an earlier one. `points` are the points of the seeds.
+std::vector<std::size_t> ListDistinctSeeds(
+  const std::vector<GraphSeed>& seeds, const std::vector<Offset>& points);
+
+/// Returns the limit of labels that may matter in the faces around a vertex (SiteDistances), given
+/// the label of the nearest site and MeasureReach(). Labels exceed distances by up to the accuracy.
+inline double LimitOfLabel(const GraphInfo& info, double nearest, double reach)
+{
+  return nearest * (1.0 + info.Accuracy) + 2.0 * reach;
+}
+
 /// For each vertex, the distances from the nearest site and from all sites that may be nearest at a
 /// point of an adjacent face.
 ///
@@ -36,9 +53,15 @@ public:
   Status Run(const GraphSearch& search, const SurfaceMesh& mesh,
     const std::vector<GraphSeed>& seeds, const ProgressCallback& progress);
 
+  /// Replaces the entries by those of the caller: one list per vertex, sorted by site.
+  void Set(bool hasVirtualSources, ValueLists<Entry> entries);
+  /// Adds the list of a vertex, of final labels and estimates.
+  static void AddList(
+    const NearestSites& nearest, const FartherSites& farther, Id v, ValueLists<Entry>& entries);
+
   /// Returns the range of the sites of a vertex, sorted by index; empty if no site reaches it.
-  const Entry* Begin(Id v) const { return this->Entries.data() + this->Offsets[v]; }
-  const Entry* End(Id v) const { return this->Entries.data() + this->Offsets[v + 1]; }
+  const Entry* Begin(Id v) const { return this->Entries.Begin(v); }
+  const Entry* End(Id v) const { return this->Entries.End(v); }
 
   /// Returns the entry of a site at a vertex; null if there is none.
   const Entry* Find(Id v, Id site) const;
@@ -51,8 +74,7 @@ public:
 
 private:
   bool HasDirections = false;
-  std::vector<Offset> Offsets; ///< per vertex, plus one
-  std::vector<Entry> Entries;
+  ValueLists<Entry> Entries; // per vertex
 };
 }
 

@@ -10,14 +10,15 @@
 #include "dggSiteDistances.h"
 
 #include <memory>
+#include <utility>
 
 namespace dgg
 {
 namespace
 {
-/// Progress after the distances, and after the cuts of edges.
+/// Progress after the distances, and then after the cuts of edges.
 constexpr double DistancesDone = 0.4;
-constexpr double CutsDone = 0.8;
+constexpr double CutsDone = 0.7;
 /// Faces between two progress reports: some milliseconds.
 constexpr Id ProgressInterval = 8192;
 
@@ -77,6 +78,30 @@ Status CheckNeighbors(const SurfaceMesh& mesh, const SiteDistances& distances)
   return Status::Success();
 }
 
+/// Removes the polygons of faces outside of the piece.
+void RemoveOtherPolygons(const std::uint8_t* layers, VoronoiDiagram& diagram)
+{
+  std::vector<Id> points;
+  std::size_t size = 0;
+  for (std::size_t i = 0; i < diagram.GetNumberOfPolygons(); ++i)
+  {
+    if (layers[diagram.PolygonFaces[i]] == 0)
+    {
+      points.insert(points.end(), diagram.PolygonPoints.begin() + diagram.PolygonOffsets[i],
+        diagram.PolygonPoints.begin() + diagram.PolygonOffsets[i + 1]);
+      diagram.PolygonSites[size] = diagram.PolygonSites[i];
+      diagram.PolygonFaces[size] = diagram.PolygonFaces[i];
+      diagram.PolygonAreas[size] = diagram.PolygonAreas[i];
+      diagram.PolygonOffsets[++size] = static_cast<Offset>(points.size());
+    }
+  }
+  diagram.PolygonPoints = std::move(points);
+  diagram.PolygonOffsets.resize(size + 1);
+  diagram.PolygonSites.resize(size);
+  diagram.PolygonFaces.resize(size);
+  diagram.PolygonAreas.resize(size);
+}
+
 Status Fill(const GraphSearch& search, const SurfaceMesh& mesh, const VoronoiInput& input,
   const ProgressCallback& progress, VoronoiDiagram& diagram)
 {
@@ -88,6 +113,21 @@ Status Fill(const GraphSearch& search, const SurfaceMesh& mesh, const VoronoiInp
   SiteDistances distances;
   DGG_RETURN_IF_ERROR(
     distances.Run(search, mesh, input.Seeds, ProgressPart(progress, 0.0, DistancesDone)));
+  std::unique_ptr<BorderRefinement> refinement;
+  if (input.Builder && distances.HasVirtualSources())
+  {
+    refinement = std::make_unique<BorderRefinement>(
+      mesh, distances, *input.Builder, input.Accuracy, input.Places);
+  }
+  return ComputeCells(mesh, distances, refinement.get(), nullptr,
+    ProgressPart(progress, DistancesDone, 1.0), diagram);
+}
+}
+
+Status ComputeCells(const SurfaceMesh& mesh, const SiteDistances& distances,
+  const BorderRefinement* refinement, const std::uint8_t* layers, const ProgressCallback& progress,
+  VoronoiDiagram& diagram)
+{
   DGG_RETURN_IF_ERROR(CheckNeighbors(mesh, distances));
   for (Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
   {
@@ -95,16 +135,10 @@ Status Fill(const GraphSearch& search, const SurfaceMesh& mesh, const VoronoiInp
     diagram.NearestSites.push_back(nearest ? nearest->Site : NoId);
     diagram.Distances.push_back(nearest ? nearest->Distance : Infinity);
   }
-  std::unique_ptr<BorderRefinement> refinement;
-  if (input.Builder && distances.HasVirtualSources())
-  {
-    refinement = std::make_unique<BorderRefinement>(
-      mesh, distances, *input.Builder, input.Accuracy, input.Places);
-  }
-  EdgeCuts cuts(mesh);
-  DGG_RETURN_IF_ERROR(cuts.Run(
-    distances, refinement.get(), ProgressPart(progress, DistancesDone, CutsDone), diagram));
-  FaceCells cells(mesh, distances, cuts, refinement.get(), diagram);
+  EdgeCuts cuts(mesh, layers);
+  DGG_RETURN_IF_ERROR(
+    cuts.Run(distances, refinement, ProgressPart(progress, 0.0, CutsDone), diagram));
+  FaceCells cells(mesh, distances, cuts, refinement, diagram);
   diagram.PolygonOffsets.push_back(0);
   const ProgressCallback rest = ProgressPart(progress, CutsDone, 1.0);
   for (Id f = 0; f < mesh.GetNumberOfFaces(); ++f)
@@ -113,14 +147,17 @@ Status Fill(const GraphSearch& search, const SurfaceMesh& mesh, const VoronoiInp
     {
       DGG_RETURN_IF_ERROR(ReportTo(rest, static_cast<double>(f) / mesh.GetNumberOfFaces()));
     }
-    if (!mesh.IsDropped(f))
+    if (!mesh.IsDropped(f) && !(layers && layers[f] > 1))
     {
       cells.Cut(f);
     }
   }
-  AddBorderCurves(diagram);
+  AddBorderCurves(layers, diagram);
+  if (layers)
+  {
+    RemoveOtherPolygons(layers, diagram);
+  }
   return Status::Success();
-}
 }
 
 Status ComputeVoronoi(const GraphSearch& search, const SurfaceMesh& mesh, const VoronoiInput& input,

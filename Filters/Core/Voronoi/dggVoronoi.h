@@ -12,6 +12,7 @@
 
 #include <array>   // for pairs of sites
 #include <cstddef> // for std::size_t
+#include <cstdint> // for layers
 #include <vector>  // for the diagram
 
 namespace dgg
@@ -56,6 +57,9 @@ struct VoronoiDiagram
   std::size_t GetNumberOfCurves() const { return this->CurveSites.size(); }
 };
 
+class BorderRefinement;
+class SiteDistances;
+
 /// Sites, and the means to refine their borders.
 struct VoronoiInput
 {
@@ -88,6 +92,14 @@ struct VoronoiInput
 /// initial distance or no site; then the diagram is empty.
 DGG_CORE_EXPORT Status ComputeVoronoi(const GraphSearch& search, const SurfaceMesh& mesh,
   const VoronoiInput& input, const ProgressCallback& progress, VoronoiDiagram& diagram);
+
+/// Computes the diagram of known distances. `refinement` may be null. If `layers` are not null
+/// (DistanceField::Layers), the mesh has at least two layers of cells around the piece of this
+/// process; the diagram then has the polygons of the piece, and borders end where pieces meet.
+/// Fails if aborted, and if a site reaches a vertex but no site reaches its neighbor.
+Status ComputeCells(const SurfaceMesh& mesh, const SiteDistances& distances,
+  const BorderRefinement* refinement, const std::uint8_t* layers, const ProgressCallback& progress,
+  VoronoiDiagram& diagram);
 }
 
 #endif

@@ -94,7 +94,7 @@ Status CellMaker::Run(const ProgressCallback& progress)
       this->Cut(face, pieces[face]);
     }
   }
-  AddBorderCurves(this->Diagram);
+  AddBorderCurves(nullptr, this->Diagram);
   return ReportTo(progress, 1.0);
 }
 

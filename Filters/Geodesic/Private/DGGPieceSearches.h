@@ -53,7 +53,7 @@ public:
   dgg::PieceSearch& GetSearch() const { return *this->Search; }
   dgg::PieceLinks* GetLinks() const { return this->Links.get(); }
   const dgg::PieceVirtualSources* GetVirtualSources() const { return this->VirtualSources.get(); }
-  const dgg::PieceSurface* GetSurface() const { return this->Surface.get(); }
+  dgg::PieceSurface* GetSurface() const { return this->Surface.get(); }
   /// Returns the accuracy of links, which is the same on all processes.
   double GetAccuracy() const { return this->Accuracy; }
   ///@}
