@@ -7,7 +7,6 @@
 #include "DGGProcesses.h"
 
 #include "dggDistanceMethods.h"
-#include "dggPieceGraph.h"
 #include "dggPiecePropagation.h"
 #include "dggProcessGroup.h"
 #include "dggSourceCollection.h"
@@ -15,7 +14,6 @@
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 
-#include <memory>
 #include <optional>
 
 vtkStandardNewMacro(vtkVirtualSourceGeodesicDistance);
@@ -47,8 +45,7 @@ public:
 
 private:
   dgg::PropagationSession Propagation;
-  std::unique_ptr<dgg::PiecePropagation> OfPiece; // of the last update
-  dgg::Signature Pieces{};                        // of OfPiece
+  dgg::PiecePropagation OfPiece; // of the last update in pieces
 };
 
 //------------------------------------------------------------------------------
@@ -72,7 +69,7 @@ vtkDGGAsStringMacro(vtkVirtualSourceGeodesicDistance, Quality, "Automatic", "Fas
 dgg::Status vtkVirtualSourceGeodesicDistance::vtkInternals::ComputeDistances(
   const DGGContext& context, dgg::DistanceTask& task)
 {
-  this->OfPiece.reset();
+  this->OfPiece = dgg::PiecePropagation();
   const std::optional<dgg::PropagationQuality> qualities[] = { std::nullopt,
     dgg::PropagationQuality::Fast, dgg::PropagationQuality::High };
   return dgg::FindPropagatedDistances(
@@ -99,17 +96,7 @@ dgg::Status vtkVirtualSourceGeodesicDistance::vtkInternals::ExecutePiece(
     int Quality;
   } first{ this->Self->GetMaximumDistance(), this->Self->Quality };
   DGG_RETURN_IF_ERROR(group.TakeFromFirst(first));
-  std::vector<dgg::Signature> signatures;
-  DGG_RETURN_IF_ERROR(group.Share(dgg::ComputeSignature(update.Piece), signatures));
-  const dgg::Signature pieces = dgg::SumSignatures(signatures);
-  bool isKept = this->OfPiece && this->Pieces == pieces;
-  DGG_RETURN_IF_ERROR(group.Require(isKept));
-  std::unique_ptr<dgg::PiecePropagation> propagation = std::move(this->OfPiece);
-  if (!isKept)
-  {
-    propagation = std::make_unique<dgg::PiecePropagation>();
-    DGG_RETURN_IF_ERROR(propagation->Prepare(group, update.Piece, isDone));
-  }
+  DGG_RETURN_IF_ERROR(this->OfPiece.Prepare(group, update.Piece, isDone));
   if (!isDone)
   {
     return dgg::Status::Success();
@@ -117,15 +104,13 @@ dgg::Status vtkVirtualSourceGeodesicDistance::vtkInternals::ExecutePiece(
   dgg::DistanceRequest request = this->MakeRequest();
   request.MaximumDistance = first.MaximumDistance;
   dgg::DistanceOutput results;
-  DGG_RETURN_IF_ERROR(propagation->Run(context, group, sources,
+  DGG_RETURN_IF_ERROR(this->OfPiece.Run(context, group, sources,
     first.Quality == High ? dgg::PropagationQuality::High : dgg::PropagationQuality::Fast, request,
     results, isDone));
   if (!isDone)
   {
     return dgg::Status::Success();
   }
-  this->OfPiece = std::move(propagation); // not after an error
-  this->Pieces = pieces;
   this->ReportQuality(results.QualityWarning);
   vtkPolyData* output = vtkPolyData::GetData(update.Outputs);
   output->ShallowCopy(context.Input);

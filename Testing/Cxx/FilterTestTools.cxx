@@ -405,8 +405,14 @@ void ExpectWarning(vtkAlgorithm* filter, const std::vector<std::string>& parts)
 
 //------------------------------------------------------------------------------
 ProgressWatch::ProgressWatch(vtkAlgorithm* filter)
+  : Filter(filter)
+  , Tag(filter->AddObserver(vtkCommand::ProgressEvent, this, &ProgressWatch::Observe))
 {
-  filter->AddObserver(vtkCommand::ProgressEvent, this, &ProgressWatch::Observe);
+}
+
+ProgressWatch::~ProgressWatch()
+{
+  this->Filter->RemoveObserver(this->Tag);
 }
 
 void ProgressWatch::Observe(vtkObject* caller, unsigned long, void*)

@@ -151,9 +151,16 @@ struct ProgressWatch
   double StopAt = 2.0;
 
   explicit ProgressWatch(vtkAlgorithm* filter);
+  ProgressWatch(const ProgressWatch&) = delete;
+  ProgressWatch& operator=(const ProgressWatch&) = delete;
+  ~ProgressWatch();
   void Observe(vtkObject* caller, unsigned long event, void* data);
   /// Expects that progress grew from 0 to 1, with at least this number of steps in between.
   void ExpectGrowth(int steps = 3) const;
+
+private:
+  vtkSmartPointer<vtkAlgorithm> Filter;
+  unsigned long Tag;
 };
 }
 

@@ -6,6 +6,7 @@
 #include "PieceGraphFixture.h"
 
 #include "vtkDGGDistance.h"
+#include "vtkVirtualSourceGeodesicDistance.h"
 #include "vtkDiscreteGeodesicGraph.h"
 
 #include "vtkIdTypeArray.h"
@@ -68,38 +69,37 @@ TEST_F(PieceGraph, DistancesAfterFailures)
     filter->SetSourceData(MakeSources());
   };
   const auto alone = Alone<vtkDGGDistance>(this->Surface, search);
-  vtkNew<vtkDGGDistance> distance;
-  distance->SetInputData(this->TakeStrip(this->Surface, PartIds::Global));
-  search(distance.Get());
-  const auto expectDistances = [&] {
-    this->Update(distance);
+  const auto distance =
+    this->Together<vtkDGGDistance>(this->TakeStrip(this->Surface, PartIds::Global), search);
+  this->ExpectRecovery(distance.Get(), { 0.3, 0.6, 0.75, 0.9 }, [&] {
     EXPECT_EQ(this->Sum(distance->GetNumberOfGraphEdges()), alone->GetNumberOfGraphEdges());
     ExpectArray(distance->GetOutput(), alone->GetOutput(), "GeodesicDistance", 0.0);
-  };
-  const bool isLast = this->Here == this->Count - 1;
-  const Listener listener(distance);
-  distance->SetMemoryLimit(isLast ? 1000 : 0);
-  this->Update(distance);
-  EXPECT_EQ(listener.Errors.size(), 1u);
-  EXPECT_EQ(distance->GetNumberOfGraphEdges(), 0);
-  distance->SetMemoryLimit(0);
-  distance->Modified();
-  expectDistances();
-  ProgressWatch watch(distance);
-  for (const double stopAt : { 0.3, 0.6, 0.75, 0.9 })
-  {
-    watch.StopAt = isLast ? stopAt : 2.0;
-    distance->Modified();
-    this->Update(distance);
-    EXPECT_EQ(distance->GetOutput()->GetNumberOfPoints(), 0) << stopAt;
-    watch.StopAt = 2.0;
-    expectDistances();
-  }
+  });
   distance->PassSourceArraysOn(); // gathers
   this->Update(distance);
   EXPECT_EQ(
     distance->GetNumberOfGraphEdges(), this->IsFirst() ? alone->GetNumberOfGraphEdges() : 0);
-  EXPECT_EQ(listener.Errors.size(), 1u);
+}
+
+//------------------------------------------------------------------------------
+/// An id out of range is an error on all processes. After failures, propagation gives the distances
+/// of a single process.
+TEST_F(PieceGraph, PropagationAfterFailures)
+{
+  const auto search = [](auto* filter) { filter->SetSourceIds({ 5, 700 }); };
+  const auto alone = Alone<vtkVirtualSourceGeodesicDistance>(this->Surface, search);
+  const auto distance = this->Together<vtkVirtualSourceGeodesicDistance>(
+    this->TakeStrip(this->Surface, PartIds::Global), search);
+  {
+    const Listener listener(distance);
+    distance->SetSourceIds({ this->Surface->GetNumberOfPoints() });
+    this->Update(distance);
+    ASSERT_EQ(listener.Errors.size(), 1u);
+    EXPECT_NE(listener.Errors[0].find("out of range"), std::string::npos) << listener.Errors[0];
+    search(distance.Get());
+  }
+  this->ExpectRecovery(distance.Get(), { 0.2, 0.9 },
+    [&] { ExpectArray(distance->GetOutput(), alone->GetOutput(), "GeodesicDistance", 0.0); });
 }
 
 //------------------------------------------------------------------------------

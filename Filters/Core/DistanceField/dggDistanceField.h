@@ -9,10 +9,30 @@
 #include "dggSurfaceMesh.h"    // for SurfaceMesh
 #include "dggVirtualSources.h" // for VirtualSources
 
-#include <cstdint> // for flags
+#include <cstdint>    // for flags
+#include <functional> // for ids
 
 namespace dgg
 {
+class ProcessGroup;
+
+/// Processes each of which has the field on a piece of a surface and on layers of cells around the
+/// piece. Ids of vertices and faces are in the order of global ids.
+struct FieldPieces
+{
+  ProcessGroup& Group;
+  ///@{
+  /// Edge lengths of the entire surface.
+  double MeanEdgeLength;
+  double LongestEdge;
+  ///@}
+  ///@{
+  /// Global ids of points and cells.
+  std::function<Offset(Id vertex)> GetPointId;
+  std::function<Offset(Id face)> GetCellId;
+  ///@}
+};
+
 /// Data from which the distance inside faces is computed. Does not own its arrays.
 ///
 /// - With windows the distance is exact (Mitchell, Mount and Papadimitriou, "The discrete geodesic

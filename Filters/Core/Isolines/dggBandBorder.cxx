@@ -5,6 +5,7 @@
 #include "dggDisjointSets.h"
 #include "dggEdges.h"
 #include "dggFaceTriangulation.h"
+#include "dggProcessGroup.h"
 
 #include <algorithm>
 #include <cmath>

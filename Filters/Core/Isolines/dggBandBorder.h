@@ -6,7 +6,6 @@
 #define dggBandBorder_h
 
 #include "dggDistanceField.h" // for DistanceField
-#include "dggFieldPieces.h"   // for the connection to other processes
 #include "dggPathEdges.h"     // for the lines
 
 #include <array>      // for keys

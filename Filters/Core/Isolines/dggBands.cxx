@@ -6,6 +6,7 @@
 #include "dggDisjointSets.h"
 #include "dggFaceEnvelope.h"
 #include "dggPathEdges.h"
+#include "dggProcessGroup.h"
 #include "dggProgressPart.h"
 #include "dggSurfaceRefinement.h"
 

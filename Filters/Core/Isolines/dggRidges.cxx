@@ -6,8 +6,8 @@
 #include "dggDisjointSets.h"
 #include "dggEdges.h"
 #include "dggFaceRidges.h"
-#include "dggFieldPieces.h"
 #include "dggPieceChains.h"
+#include "dggProcessGroup.h"
 #include "dggProgressPart.h"
 
 #include <algorithm>

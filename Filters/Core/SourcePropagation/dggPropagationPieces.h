@@ -29,16 +29,16 @@ struct PropagationCounts
   }
 };
 
-/// What a propagation exchanges with those of other processes. Each process propagates the labels
-/// of its own faces, in rounds that it shares with the others. Labels that enter a face of another
-/// process are sent there after the round, and distances of shared vertices before the labels of a
-/// round are propagated. Vertices and faces of the mesh are in the order of global ids, so that
-/// processes list what they share in the same order.
+/// Communication of a propagation with those of other processes. Each process propagates the labels
+/// of its own faces. All processes have the same rounds: they exchange the distances of shared
+/// vertices before the labels of a round are propagated, and the labels that enter faces of other
+/// processes after the round. Vertices and faces of the mesh are in the order of global ids, so
+/// that two processes list shared vertices and edges in the same order.
 class PropagationPieces
 {
 public:
-  /// `owners` are the processes of the faces. The mesh has all faces around the vertices of the
-  /// faces of this process. `numberOfFaces` is that of the entire surface.
+  /// `owners` are the processes to which the faces belong. The mesh has all faces around the
+  /// vertices of the faces of this process. `numberOfFaces` is that of the entire surface.
   PropagationPieces(const SurfaceMesh& mesh, std::vector<int> owners, Offset numberOfFaces,
     const ProcessGroup& group);
 
@@ -51,7 +51,7 @@ public:
   void Start(ProcessGroup& group, double inUse);
 
   ///@{
-  /// Functions that all processes must call.
+  /// These functions must be called by all processes.
   /// Replaces a value by the smallest one of all processes.
   Status FindLeast(double& value) const;
   Status Sum(PropagationCounts& counts) const { return this->Group->Sum(counts); }
@@ -74,7 +74,7 @@ private:
   std::vector<std::vector<Id>> Exits;    // half-edges of its faces behind faces of this process
   std::vector<std::vector<Id>> Entries;  // half-edges of faces of this process behind its faces
   ///@}
-  std::vector<std::vector<float>> LastSent; // distances of Vertices, or received
+  std::vector<std::vector<float>> LastSent; // distances of Vertices last sent or received
   ProcessGroup* Group = nullptr;
   double InUse = 0.0;
 };

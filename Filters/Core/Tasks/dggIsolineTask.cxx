@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dggIsolineTask.h"
 
-#include "dggFieldPieces.h"
 #include "dggFieldReader.h"
 #include "dggOutput.h"
 #include "dggPreparedSurface.h"

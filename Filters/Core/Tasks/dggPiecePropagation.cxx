@@ -6,6 +6,7 @@
 #include "dggDistanceOutput.h"
 #include "dggMeshQuality.h"
 #include "dggPieceDistances.h"
+#include "dggPieceGraph.h"
 #include "dggPropagationPieces.h"
 #include "dggSourceCollection.h"
 #include "dggTaskContext.h"
@@ -32,6 +33,24 @@ struct SentSource
 
 Status PiecePropagation::Prepare(ProcessGroup& group, const SurfacePiece& piece, bool& isUsable)
 {
+  std::vector<Signature> signatures;
+  DGG_RETURN_IF_ERROR(group.Share(ComputeSignature(piece), signatures));
+  const Signature pieces = SumSignatures(signatures);
+  bool isPrepared = this->Solver && this->Pieces == pieces;
+  DGG_RETURN_IF_ERROR(group.Require(isPrepared));
+  isUsable = true;
+  if (isPrepared)
+  {
+    return Status::Success();
+  }
+  this->Solver.reset();
+  this->Pieces = pieces;
+  return this->PrepareSurface(group, piece, isUsable);
+}
+
+Status PiecePropagation::PrepareSurface(
+  ProcessGroup& group, const SurfacePiece& piece, bool& isUsable)
+{
   this->NumberOfPoints = piece.NumberOfPoints;
   DGG_RETURN_IF_ERROR(this->Surface.Prepare(group, piece, isUsable));
   isUsable = isUsable && !this->Surface.HasLongTriangles();
@@ -45,10 +64,15 @@ Status PiecePropagation::Prepare(ProcessGroup& group, const SurfacePiece& piece,
   {
     owners.push_back(this->Surface.GetOwner(f));
   }
-  this->Solver = std::make_unique<SourcePropagation>(mesh, this->Surface.GetMeanEdgeLength(),
+  auto solver = std::make_unique<SourcePropagation>(mesh, this->Surface.GetMeanEdgeLength(),
     std::make_unique<PropagationPieces>(
       mesh, std::move(owners), this->Surface.GetTotalFaces(), group));
-  return this->Solver->Prepare(group, isUsable);
+  DGG_RETURN_IF_ERROR(solver->Prepare(group, isUsable));
+  if (isUsable)
+  {
+    this->Solver = std::move(solver);
+  }
+  return Status::Success();
 }
 
 Status PiecePropagation::Run(const TaskContext& context, ProcessGroup& group,

@@ -23,8 +23,9 @@ struct PlacedSource;
 class DGG_CORE_EXPORT PiecePropagation
 {
 public:
-  /// `isUsable` becomes false on all processes if the pieces must be gathered: for the reasons of
-  /// PieceSurface::Prepare(), if a vertex is irregular, and if triangles may be too long.
+  /// Prepares the propagation unless no piece has changed. `isUsable` becomes false on all
+  /// processes if the pieces must be gathered: for the reasons of PieceSurface::Prepare(), if a
+  /// vertex is irregular, and if triangles may be too long.
   Status Prepare(ProcessGroup& group, const SurfacePiece& piece, bool& isUsable);
 
   /// Computes distances from points given by ids, and adds them as arrays of the points of the
@@ -36,12 +37,14 @@ public:
     bool& isDone) const;
 
 private:
+  Status PrepareSurface(ProcessGroup& group, const SurfacePiece& piece, bool& isUsable);
   Status FindSources(ProcessGroup& group, const SourceCollection& sources,
     std::vector<GeodesicSource>& here, std::vector<PlacedSource>& all, bool& areFound) const;
 
   PieceSurface Surface;
-  std::unique_ptr<SourcePropagation> Solver;
-  Offset NumberOfPoints = 0; // of the piece
+  std::unique_ptr<SourcePropagation> Solver; // null unless prepared
+  Signature Pieces{};                        // of all pieces, if prepared
+  Offset NumberOfPoints = 0;                 // of the piece
 };
 }
 

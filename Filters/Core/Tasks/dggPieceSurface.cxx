@@ -366,7 +366,7 @@ Id PieceSurface::FindFace(Offset cellId) const
 
 void PieceSurface::AddVertex(Offset point, std::size_t index, int process, PiecePoints& here) const
 {
-  const Id v = this->FindVertex(this->FirstPoint + point);
+  const Id v = this->GetVertexOf(point);
   if (v != NoId && this->Region.GetOwner(this->Polygons.Points[v]) == process)
   {
     here.Add(index, SurfacePoint::AtVertex(v));

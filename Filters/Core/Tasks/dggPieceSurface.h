@@ -6,7 +6,7 @@
 #define dggPieceSurface_h
 
 #include "dggCoreExport.h"      // for DGG_CORE_EXPORT
-#include "dggFieldPieces.h"     // for the connection to other processes
+#include "dggDistanceField.h"   // for the connection to other processes
 #include "dggGraphBuilder.h"    // for links
 #include "dggPieceLocator.h"    // for positions
 #include "dggPreparedSurface.h" // for the surface
