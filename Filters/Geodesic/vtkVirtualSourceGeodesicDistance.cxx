@@ -85,7 +85,6 @@ dgg::Status vtkVirtualSourceGeodesicDistance::vtkInternals::ExecutePiece(
   vtkSmartPointer<vtkPolyData> points;
   DGG_RETURN_IF_ERROR(
     DGGCollectFromAll(update, this->GetSources(update.Inputs), sources, points, isDone));
-  isDone = isDone && sources.GetNumberOfPositions() == 0;
   if (!isDone)
   {
     return dgg::Status::Success();
@@ -93,8 +92,10 @@ dgg::Status vtkVirtualSourceGeodesicDistance::vtkInternals::ExecutePiece(
   struct
   {
     double MaximumDistance;
+    double Tolerance;
     int Quality;
-  } first{ this->Self->GetMaximumDistance(), this->Self->Quality };
+  } first{ this->Self->GetMaximumDistance(), this->Self->GetProjectionTolerance(),
+    this->Self->Quality };
   DGG_RETURN_IF_ERROR(group.TakeFromFirst(first));
   DGG_RETURN_IF_ERROR(this->OfPiece.Prepare(group, update.Piece, isDone));
   if (!isDone)
@@ -104,7 +105,7 @@ dgg::Status vtkVirtualSourceGeodesicDistance::vtkInternals::ExecutePiece(
   dgg::DistanceRequest request = this->MakeRequest();
   request.MaximumDistance = first.MaximumDistance;
   dgg::DistanceOutput results;
-  DGG_RETURN_IF_ERROR(this->OfPiece.Run(context, group, sources,
+  DGG_RETURN_IF_ERROR(this->OfPiece.Run(context, group, sources, first.Tolerance,
     first.Quality == High ? dgg::PropagationQuality::High : dgg::PropagationQuality::Fast, request,
     results, isDone));
   if (!isDone)

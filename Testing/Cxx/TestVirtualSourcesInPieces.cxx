@@ -109,7 +109,7 @@ TEST_P(VirtualSourcesInPieces, OfCoarseTriangles)
 
 //------------------------------------------------------------------------------
 /// Propagation from triangle to triangle gives the distances of a single process, bit by bit.
-/// Pieces are gathered for nearest sources and for points at an input.
+/// Pieces are gathered for nearest sources.
 TEST_P(VirtualSourcesInPieces, PropagateFromPieceToPiece)
 {
   using Filter = vtkVirtualSourceGeodesicDistance;
@@ -134,7 +134,12 @@ TEST_P(VirtualSourcesInPieces, PropagateFromPieceToPiece)
      },
       false },
     { [](Filter* filter) { filter->GenerateNearestSourceOn(); }, true },
-    { [&](Filter* filter) { filter->SetInputData(1, MakePointsOfCells(surface)); }, true },
+    { [&](Filter* filter) { filter->SetInputData(1, MakePointsOfCells(surface)); }, false },
+    { [&](Filter* filter) {
+       filter->SetSourceIds({ shared }, { 0.2 });
+       filter->SetInputData(1, MakeSources());
+     },
+      false },
   };
   for (const Case& tested : cases)
   {

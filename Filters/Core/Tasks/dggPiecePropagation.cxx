@@ -9,9 +9,9 @@
 #include "dggPieceGraph.h"
 #include "dggPropagationPieces.h"
 #include "dggSourceCollection.h"
+#include "dggSurfacePath.h"
 #include "dggTaskContext.h"
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <utility>
@@ -76,13 +76,13 @@ Status PiecePropagation::PrepareSurface(
 }
 
 Status PiecePropagation::Run(const TaskContext& context, ProcessGroup& group,
-  const SourceCollection& sources, PropagationQuality quality, const DistanceRequest& request,
-  DistanceOutput& output, bool& isDone) const
+  const SourceCollection& sources, double tolerance, PropagationQuality quality,
+  const DistanceRequest& request, DistanceOutput& output, bool& isDone) const
 {
   DGG_RETURN_IF_ERROR(sources.Check(this->Surface.GetTotalPoints()));
-  std::vector<GeodesicSource> here;
-  std::vector<PlacedSource> all;
-  DGG_RETURN_IF_ERROR(this->FindSources(group, sources, here, all, isDone));
+  std::vector<GeodesicSource> points;
+  std::vector<PlacedSource> positions;
+  DGG_RETURN_IF_ERROR(this->FindSources(group, sources, tolerance, points, positions, isDone));
   if (!isDone)
   {
     return Status::Success();
@@ -96,9 +96,9 @@ Status PiecePropagation::Run(const TaskContext& context, ProcessGroup& group,
   const double inUse = static_cast<double>(mesh.GetMemorySize()) +
     BytesOfFace * static_cast<double>(mesh.GetNumberOfFaces());
   PropagationResult result;
-  DGG_RETURN_IF_ERROR(this->Solver->RunPiece(group, here, options, inUse, result));
-  KeepAboveStraightLine(this->Surface.MakeContext(context), all, this->Surface.GetMeanEdgeLength(),
-    options.MaximumDistance, result);
+  DGG_RETURN_IF_ERROR(this->Solver->RunPiece(group, points, options, inUse, result));
+  KeepAboveStraightLine(this->Surface.MakeContext(context), positions,
+    this->Surface.GetMeanEdgeLength(), options.MaximumDistance, result);
   DistanceResults results;
   results.MaximumDistance = request.MaximumDistance;
   results.Distances = this->Surface.ToPiece(result.Distances, this->NumberOfPoints, Infinity);
@@ -106,35 +106,40 @@ Status PiecePropagation::Run(const TaskContext& context, ProcessGroup& group,
   return WritePieceDistances(group, results, request, output);
 }
 
-/// Finds the sources on the surface of this process, and the positions of all of them.
+/// Finds the points of all sources on the surface of this process, and their positions. `areFound`
+/// becomes false if a source has no cells.
 Status PiecePropagation::FindSources(ProcessGroup& group, const SourceCollection& sources,
-  std::vector<GeodesicSource>& here, std::vector<PlacedSource>& all, bool& areFound) const
+  double tolerance, std::vector<GeodesicSource>& points, std::vector<PlacedSource>& positions,
+  bool& areFound) const
 {
+  PiecePoints here;
+  DGG_RETURN_IF_ERROR(this->Surface.Locate(group, sources, tolerance, here));
+  std::vector<SurfacePoint> all;
+  DGG_RETURN_IF_ERROR(this->Surface.ShareAll(group, here, all));
+  const std::size_t ids = sources.Ids.size();
+  for (std::size_t i = 0; i < all.size(); ++i)
+  {
+    points.push_back({ all[i],
+      i < ids ? sources.GetInitialDistanceOfId(i)
+              : sources.GetInitialDistanceOfPosition(i - ids) });
+  }
   const SurfaceMesh& mesh = this->Surface.Get().GetMeshWithoutAngles();
   std::vector<SentSource> sent;
-  for (std::size_t i = 0; i < sources.Ids.size(); ++i)
+  areFound = true;
+  for (std::size_t k = 0; k < here.Points.size(); ++k)
   {
-    const Id v = this->Surface.GetVertexOf(sources.Ids[i]);
-    here.push_back({ SurfacePoint::AtVertex(v), sources.GetInitialDistanceOfId(i) });
-    if (v != NoId && mesh.FanBegin(v) != mesh.FanEnd(v))
-    {
-      const double* const p = this->Surface.GetPosition(v);
-      sent.push_back({ i, { { p[0], p[1], p[2] } } });
-    }
+    const SurfacePoint& point = here.Points[k];
+    areFound =
+      areFound && !(IsVertex(point) && mesh.FanBegin(point.Vertex) == mesh.FanEnd(point.Vertex));
+    sent.push_back(
+      { here.Indices[k], PositionOf(mesh, point, this->Surface.Get().GetPositions()) });
   }
-  std::vector<std::vector<SentSource>> lists;
-  DGG_RETURN_IF_ERROR(group.ShareList(sent, lists));
-  all.resize(here.size());
-  std::vector<char> isFound(here.size(), 0);
-  for (const std::vector<SentSource>& list : lists)
+  DGG_RETURN_IF_ERROR(group.JoinLists(sent));
+  positions.resize(points.size());
+  for (const SentSource& source : sent)
   {
-    for (const SentSource& source : list)
-    {
-      all[source.Index] = { here[source.Index].InitialDistance, source.Position };
-      isFound[source.Index] = 1;
-    }
+    positions[source.Index] = { points[source.Index].InitialDistance, source.Position };
   }
-  areFound = std::find(isFound.begin(), isFound.end(), 0) == isFound.end();
-  return Status::Success();
+  return group.Require(areFound);
 }
 }

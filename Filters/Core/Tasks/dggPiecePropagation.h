@@ -28,18 +28,19 @@ public:
   /// vertex is irregular, and if triangles may be too long.
   Status Prepare(ProcessGroup& group, const SurfacePiece& piece, bool& isUsable);
 
-  /// Computes distances from points given by ids, and adds them as arrays of the points of the
-  /// piece. Sources, options and request must be the same on all processes; the request must not
-  /// include nearest and virtual sources. `isDone` becomes false on all processes if a source has
-  /// no cells. The surface of the context is not used.
+  /// Computes distances and adds them as arrays of the points of the piece. Everything except for
+  /// the pieces must be the same on all processes; the request must not include nearest and virtual
+  /// sources. For `tolerance` see SourceCollection::Locate(). `isDone` becomes false on all
+  /// processes if a source has no cells. The surface of the context is not used.
   Status Run(const TaskContext& context, ProcessGroup& group, const SourceCollection& sources,
-    PropagationQuality quality, const DistanceRequest& request, DistanceOutput& output,
-    bool& isDone) const;
+    double tolerance, PropagationQuality quality, const DistanceRequest& request,
+    DistanceOutput& output, bool& isDone) const;
 
 private:
   Status PrepareSurface(ProcessGroup& group, const SurfacePiece& piece, bool& isUsable);
-  Status FindSources(ProcessGroup& group, const SourceCollection& sources,
-    std::vector<GeodesicSource>& here, std::vector<PlacedSource>& all, bool& areFound) const;
+  Status FindSources(ProcessGroup& group, const SourceCollection& sources, double tolerance,
+    std::vector<GeodesicSource>& points, std::vector<PlacedSource>& positions,
+    bool& areFound) const;
 
   PieceSurface Surface;
   std::unique_ptr<SourcePropagation> Solver; // null unless prepared

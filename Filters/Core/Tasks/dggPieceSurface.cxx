@@ -6,6 +6,7 @@
 #include "dggEdges.h"
 #include "dggMeshQuality.h"
 #include "dggRowFinder.h"
+#include "dggSourceCollection.h"
 #include "dggSurfaceOutput.h"
 #include "dggTaskContext.h"
 
@@ -297,6 +298,15 @@ Status PieceSurface::Extend(ProcessGroup& group, int components, std::vector<dou
 Status PieceSurface::Locate(
   ProcessGroup& group, const SourceCollection& sources, double tolerance, PiecePoints& here) const
 {
+  const std::size_t ids = sources.Ids.size();
+  for (std::size_t i = 0; i < ids; ++i)
+  {
+    this->AddVertex(sources.Ids[i], i, group.Here, here);
+  }
+  if (sources.GetNumberOfPositions() == 0)
+  {
+    return Status::Success();
+  }
   std::vector<Offset> cells; // of the piece
   for (std::size_t f = 0; f < this->Layers.size(); ++f)
   {
@@ -306,7 +316,13 @@ Status PieceSurface::Locate(
   PieceLocator locator;
   DGG_RETURN_IF_ERROR(locator.Prepare(
     group, this->Surface->GetMeshWithoutAngles(), this->Surface->GetPositions(), cells));
-  return locator.Locate(group, sources, tolerance, here);
+  PiecePoints located;
+  DGG_RETURN_IF_ERROR(locator.Locate(group, sources, tolerance, located));
+  for (std::size_t k = 0; k < located.Points.size(); ++k)
+  {
+    here.Add(ids + located.Indices[k], located.Points[k]);
+  }
+  return Status::Success();
 }
 
 Status PieceSurface::ShareAll(

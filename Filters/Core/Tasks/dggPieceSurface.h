@@ -93,7 +93,8 @@ public:
   /// neither a vertex nor a face.
   Status ShareAll(
     ProcessGroup& group, const PiecePoints& here, std::vector<SurfacePoint>& points) const;
-  /// Locates positions: see PieceLocator::Locate().
+  /// Locates the points of a collection that belong to this process: ids, followed by positions
+  /// (PieceLocator::Locate()).
   Status Locate(ProcessGroup& group, const SourceCollection& sources, double tolerance,
     PiecePoints& here) const;
   /// Adds a point of the entire surface, given by its number, if the point belongs to this

@@ -51,25 +51,6 @@ DistanceRequest MakeRequest(const VoronoiOptions& voronoi)
   return request;
 }
 
-/// Finds the sites that belong to this process.
-Status FindSites(ProcessGroup& group, const PieceVoronoiInput& input, PiecePoints& here)
-{
-  if (input.Sites.GetNumberOfPositions() > 0)
-  {
-    DGG_RETURN_IF_ERROR(input.Surface.Locate(group, input.Sites, input.Options.Tolerance, here));
-  }
-  const std::size_t ids = input.Sites.Ids.size();
-  for (std::size_t& site : here.Indices)
-  {
-    site += ids;
-  }
-  for (std::size_t i = 0; i < ids; ++i)
-  {
-    input.Surface.AddVertex(input.Sites.Ids[i], i, group.Here, here);
-  }
-  return Status::Success();
-}
-
 /// Replaces areas in each piece by their sums.
 Status ShareAreas(ProcessGroup& group, std::vector<double>& areas)
 {
@@ -189,7 +170,8 @@ private:
     if (this->IsRefined)
     {
       PiecePoints here;
-      DGG_RETURN_IF_ERROR(FindSites(this->Group, this->Input, here));
+      DGG_RETURN_IF_ERROR(
+        this->Surface.Locate(this->Group, this->Input.Sites, this->Input.Options.Tolerance, here));
       DGG_RETURN_IF_ERROR(this->Surface.ShareAll(this->Group, here, sites));
       if (const GraphBuilder* builder = this->Surface.GetBuilder())
       {
@@ -269,7 +251,7 @@ Status FindPieceVoronoi(const TaskContext& context, ProcessGroup& group,
   }
   output.Labels.PointScalars = input.Voronoi.SourceName;
   PiecePoints here;
-  DGG_RETURN_IF_ERROR(FindSites(group, input, here));
+  DGG_RETURN_IF_ERROR(input.Surface.Locate(group, input.Sites, input.Options.Tolerance, here));
   DGG_RETURN_IF_ERROR(input.Surface.WritePoints(context, group, here, output.Sites));
   AddSiteIds(output.Sites);
   if (!areas.empty())
