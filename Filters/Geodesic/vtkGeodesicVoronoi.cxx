@@ -218,6 +218,7 @@ dgg::Status vtkGeodesicVoronoi::vtkInternals::ExecutePiece(
     dgg::FindPieceVoronoi(this->Searches.MakeContext(context), group, input, found, isDone));
   if (!isDone)
   {
+    this->Searches = DGGPieceSearches(); // release memory before pieces are gathered
     return dgg::Status::Success();
   }
   this->Warn(found.Labels.Warnings);

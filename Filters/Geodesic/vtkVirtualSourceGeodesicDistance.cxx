@@ -89,21 +89,21 @@ dgg::Status vtkVirtualSourceGeodesicDistance::vtkInternals::ExecutePiece(
   {
     return dgg::Status::Success();
   }
+  dgg::DistanceRequest request = this->MakeRequest();
   struct
   {
     double MaximumDistance;
     double Tolerance;
     int Quality;
-  } first{ this->Self->GetMaximumDistance(), this->Self->GetProjectionTolerance(),
-    this->Self->Quality };
+  } first{ request.MaximumDistance, this->Self->GetProjectionTolerance(), this->Self->Quality };
   DGG_RETURN_IF_ERROR(group.TakeFromFirst(first));
+  request.MaximumDistance = first.MaximumDistance;
   DGG_RETURN_IF_ERROR(this->OfPiece.Prepare(group, update.Piece, isDone));
   if (!isDone)
   {
+    this->OfPiece = dgg::PiecePropagation(); // release memory before pieces are gathered
     return dgg::Status::Success();
   }
-  dgg::DistanceRequest request = this->MakeRequest();
-  request.MaximumDistance = first.MaximumDistance;
   dgg::DistanceOutput results;
   DGG_RETURN_IF_ERROR(this->OfPiece.Run(context, group, sources, first.Tolerance,
     first.Quality == High ? dgg::PropagationQuality::High : dgg::PropagationQuality::Fast, request,
@@ -112,7 +112,11 @@ dgg::Status vtkVirtualSourceGeodesicDistance::vtkInternals::ExecutePiece(
   {
     return dgg::Status::Success();
   }
-  this->ReportQuality(results.QualityWarning);
+  if (group.Here == 0)
+  {
+    this->ReportQuality(results.QualityWarning);
+  }
+  this->Self->QualityWarning = !results.QualityWarning.empty();
   vtkPolyData* output = vtkPolyData::GetData(update.Outputs);
   output->ShallowCopy(context.Input);
   this->AddResults(results, output);

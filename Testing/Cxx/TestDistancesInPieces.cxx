@@ -103,6 +103,45 @@ TEST_F(PieceGraph, PropagationAfterFailures)
 }
 
 //------------------------------------------------------------------------------
+/// A propagation is prepared again if processes exchange their pieces, and gathered if a piece has
+/// points that only cells of other processes use.
+TEST_F(PieceGraph, PropagationInOtherPieces)
+{
+  const auto search = [](auto* filter) { filter->SetSourceIds({ 5, 700 }); };
+  const auto alone = Alone<vtkVirtualSourceGeodesicDistance>(this->Surface, search);
+  const auto take = [this](int index) {
+    return TakePart(this->Surface, LabelStrips(this->Surface, this->Count), index, PartIds::Global);
+  };
+  auto piece = take(this->Here);
+  const auto distance = this->Together<vtkVirtualSourceGeodesicDistance>(piece, search);
+  const auto expectDistances = [&] {
+    distance->SetInputData(piece);
+    this->Update(distance);
+    ExpectArray(distance->GetOutput(), alone->GetOutput(), "GeodesicDistance", 0.0);
+  };
+  piece = take((this->Here + 1) % this->Count);
+  expectDistances();
+  const auto other = take(this->Here);
+  auto* ids = vtkIdTypeArray::SafeDownCast(piece->GetPointData()->GetArray("Whole"));
+  for (vtkIdType i = 0; i < other->GetNumberOfPoints(); i += 30)
+  {
+    const auto id =
+      static_cast<vtkIdType>(other->GetPointData()->GetArray("Whole")->GetComponent(i, 0));
+    if (ids->LookupValue(id) < 0)
+    {
+      piece->GetPoints()->InsertNextPoint(other->GetPoint(i));
+      for (const char* name : { "Whole", "GlobalPointIds" })
+      {
+        vtkIdTypeArray::SafeDownCast(piece->GetPointData()->GetArray(name))->InsertNextValue(id);
+      }
+      ids->ClearLookup();
+    }
+  }
+  piece->Modified();
+  expectDistances();
+}
+
+//------------------------------------------------------------------------------
 /// Ids of sources are numbers of points, whatever global ids the points have. Offsets may be so
 /// large that lengths are lost.
 TEST_F(PieceGraph, IdsAndOffsetsOfSources)

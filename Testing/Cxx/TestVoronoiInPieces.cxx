@@ -55,6 +55,8 @@ protected:
       ExpectArray(together->GetOutput(), alone->GetOutput(), name, 0.0);
     }
     this->ExpectAll(GetSegments(together->GetBoundaries()), GetSegments(alone->GetBoundaries()));
+    EXPECT_EQ(together->GetBoundaries()->GetPointData()->GetNumberOfArrays(),
+      alone->GetGenerateCells() ? 1 : 0);
     this->ExpectAll(
       GetPolygons(together->GetCells(), "CellArea"), GetPolygons(alone->GetCells(), "CellArea"));
     const bool hasCells = together->GetCells()->GetNumberOfCells() > 0;

@@ -59,8 +59,8 @@ struct DistanceField
   const VirtualSources* Sources = nullptr; ///< may be null or empty; used when there are no windows
   /// Per vertex, the index of the nearest source; only needed for FieldSample::Source.
   const Id* NearestSource = nullptr;
-  /// Per face, the layer of cells of other processes around the piece of this process that the face
-  /// is in: 0 in the piece, 1 at its points, and so on. May be null.
+  /// Per face, its layer around the piece of this process: 0 in the piece, 1 for cells of other
+  /// processes at its points, and so on. May be null.
   const std::uint8_t* Layers = nullptr;
 
   bool HasWindows() const { return this->Windows && !this->Windows->IsEmpty(); }
@@ -93,8 +93,8 @@ struct FieldSample
   Point2 Image;
   double Offset = 0.0;
   bool HasImage = false;
-  /// Id of the candidate that attains the minimum. Two samples of a envelope have equal ids if they
-  /// belong to the same smooth piece.
+  /// Id of the candidate that attains the minimum. Two samples of an envelope have equal ids if
+  /// they belong to the same smooth piece.
   Id Candidate = NoId;
   /// Index of the nearest source. Defined if the field has windows and NearestSource.
   Id Source = NoId;

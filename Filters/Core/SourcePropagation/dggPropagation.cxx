@@ -258,7 +258,7 @@ Status Propagation<High>::ExchangeLabels(std::vector<PropagationLabel>& crossing
   chunk.Thread = 0;
   for (const PropagationLabel& label : crossing)
   {
-    this->EnterAllBehind(this->Mesh.Twin(label.Entry), label, chunk);
+    this->Enter(label, chunk);
   }
   this->TakeShortcuts(chunk);
   return Status::Success();

@@ -45,7 +45,7 @@ template <bool High>
 class Propagation
 {
 public:
-  /// `pieces` is null if no other process takes part.
+  /// `pieces` is null for an entire surface.
   Propagation(const SurfaceMesh& mesh, const PropagationFaces& faces, PropagationPieces* pieces,
     double shift, float radius, const ParallelFor& parallel, int threads);
 

@@ -9,12 +9,6 @@ namespace dgg
 {
 namespace
 {
-/// The distance of the k-th vertex that two processes share.
-struct SharedDistance
-{
-  Id Index;
-  float Distance;
-};
 }
 
 PropagationPieces::PropagationPieces(
@@ -84,7 +78,7 @@ Status PropagationPieces::ShareDistances(
   std::vector<Message> messages(this->Vertices.size());
   for (std::size_t process = 0; process < messages.size(); ++process)
   {
-    std::vector<SharedDistance> list;
+    std::vector<SharedValue<float>> list;
     for (std::size_t i = 0; i < this->Vertices[process].size(); ++i)
     {
       const float distance = distances[this->Vertices[process][i]].load(std::memory_order_relaxed);
@@ -94,22 +88,19 @@ Status PropagationPieces::ShareDistances(
         list.push_back({ static_cast<Id>(i), distance });
       }
     }
-    if (!list.empty())
-    {
-      Append(messages[process], list);
-    }
+    AppendIfAny(messages[process], list);
   }
   DGG_RETURN_IF_ERROR(this->Group->Exchange(messages, this->InUse, &isOver));
   for (std::size_t process = 0; process < messages.size(); ++process)
   {
-    for (const auto& shared : MessageReader(messages[process]).Take<SharedDistance>())
+    for (const auto& shared : MessageReader(messages[process]).Take<SharedValue<float>>())
     {
       const Id v = this->Vertices[process][shared.Index];
       float& last = this->LastSent[process][shared.Index];
-      last = std::min(last, shared.Distance);
-      if (shared.Distance < distances[v].load(std::memory_order_relaxed))
+      last = std::min(last, shared.Content);
+      if (shared.Content < distances[v].load(std::memory_order_relaxed))
       {
-        distances[v].store(shared.Distance, std::memory_order_relaxed);
+        distances[v].store(shared.Content, std::memory_order_relaxed);
         lowered.push_back(v);
       }
     }
@@ -132,10 +123,7 @@ Status PropagationPieces::ExchangeLabels(std::vector<PropagationLabel>& labels) 
   std::vector<Message> messages(sent.size());
   for (std::size_t process = 0; process < sent.size(); ++process)
   {
-    if (!sent[process].empty())
-    {
-      Append(messages[process], sent[process]);
-    }
+    AppendIfAny(messages[process], sent[process]);
   }
   DGG_RETURN_IF_ERROR(this->Group->Exchange(messages, this->InUse));
   for (std::size_t process = 0; process < messages.size(); ++process)

@@ -158,7 +158,7 @@ void PropagationOutput::TakeSources(const std::vector<GeodesicSource>& sources)
   });
 }
 
-/// Runs the propagation with either quality. `pieces` is null unless other processes take part.
+/// Runs the propagation with either quality. `pieces` is null for an entire surface.
 template <bool High>
 Status RunPropagation(const SurfaceMesh& mesh, const PropagationFaces& faces,
   PropagationPieces* pieces, const std::vector<GeodesicSource>& sources,

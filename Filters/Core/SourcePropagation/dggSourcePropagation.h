@@ -93,8 +93,8 @@ public:
 
   ///@{
   /// Functions for pieces, which all processes must call. `isUsable` becomes false on all processes
-  /// if a vertex is irregular. RunPiece() is like Run(), but all sources must be valid; those whose
-  /// faces the mesh does not have are at the vertex NoId. Distances are those at the corners of the
+  /// if a vertex is irregular. RunPiece() is like Run(), but all sources must be valid. A source
+  /// outside of the mesh has the vertex NoId. Distances are those at the corners of the
   /// faces of this process; nearest and virtual sources are not available. `inUse` are the bytes in
   /// use already.
   Status Prepare(ProcessGroup& group, bool& isUsable);

@@ -37,6 +37,24 @@ void Append(Message& message, const std::vector<T>& values)
   }
 }
 
+/// Appends an array to a message unless it is empty.
+template <typename T>
+void AppendIfAny(Message& message, const std::vector<T>& values)
+{
+  if (!values.empty())
+  {
+    Append(message, values);
+  }
+}
+
+/// A value of the element with an index in a list that two processes share.
+template <typename T>
+struct SharedValue
+{
+  Id Index;
+  T Content;
+};
+
 /// Reads the arrays of a message in the order in which they were appended.
 class MessageReader
 {

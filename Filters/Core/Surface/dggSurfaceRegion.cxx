@@ -317,10 +317,7 @@ Status SurfaceRegion::Grow(ProcessGroup& group, int layers, bool isNeeded, doubl
     for (std::size_t process = 0; process < count; ++process)
     {
       messages[process].clear();
-      if (!requested[process].empty())
-      {
-        Append(messages[process], requested[process]);
-      }
+      AppendIfAny(messages[process], requested[process]);
     }
     DGG_RETURN_IF_ERROR(group.Exchange(messages, this->GetMemorySize() + inUse, &isComplete));
     if (isComplete)

@@ -171,6 +171,7 @@ Status SurfaceRegion::TakeListsFromOwners(
   std::vector<std::vector<Offset>> ids;
   inUse += static_cast<double>(lists.Values.size() * sizeof(Value));
   DGG_RETURN_IF_ERROR(this->RequestFromOwners(group, points, ids, inUse));
+  inUse += this->GetMemorySize();
   std::vector<Message> messages(ids.size());
   std::vector<ValueLists<Value>> sent(ids.size());
   for (std::size_t process = 0; process < ids.size(); ++process)
@@ -182,6 +183,7 @@ Status SurfaceRegion::TakeListsFromOwners(
     }
     Append(messages[process], sent[process].Begins);
     Append(messages[process], sent[process].Values);
+    sent[process] = ValueLists<Value>();
   }
   DGG_RETURN_IF_ERROR(group.Exchange(messages, inUse));
   for (std::size_t process = 0; process < ids.size(); ++process)
@@ -189,6 +191,7 @@ Status SurfaceRegion::TakeListsFromOwners(
     MessageReader reader(messages[process]);
     sent[process].Begins = reader.Take<Offset>();
     sent[process].Values = reader.Take<Value>();
+    messages[process] = Message();
   }
   ValueLists<Value> all;
   std::vector<Offset> next(ids.size(), 0);

@@ -118,7 +118,7 @@ DGG_CORE_EXPORT std::string GetUnreachedName(const std::string& distances);
 
 /// Adds an array of distances, with `unreachedValue` in place of Infinity. Since any number except
 /// NaN and plus infinity could be a distance, such a value at unreached points adds the array of
-/// GetUnreachedName() (std::uint8_t: 1 at unreached points, else 0), and so does
+/// GetUnreachedName() (std::uint8_t: 1 at unreached points, else 0). The array is also added if
 /// `areOthersUnreached`.
 DGG_CORE_EXPORT void AddDistances(const std::string& name, const std::vector<double>& distances,
   double unreachedValue, OutputArrays& arrays, bool areOthersUnreached = false);

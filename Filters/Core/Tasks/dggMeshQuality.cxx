@@ -15,7 +15,7 @@ namespace dgg
 namespace
 {
 /// Number of triangles that a warning names.
-constexpr std::size_t NamedTriangles = 3;
+constexpr std::size_t NamedCells = 3;
 
 double GetPerimeter(const SurfaceMesh& mesh, Id f)
 {
@@ -79,17 +79,21 @@ std::string DescribeMissingWindows(const PreparedSurface& surface, double accura
       coarse.push_back(f);
     }
   }
-  const std::size_t named = std::min(coarse.size(), NamedTriangles);
-  std::partial_sort(coarse.begin(), coarse.begin() + static_cast<std::ptrdiff_t>(named),
-    coarse.end(), [&](Id f, Id g) {
-      return std::make_pair(-GetPerimeter(mesh, f), f) < std::make_pair(-GetPerimeter(mesh, g), g);
-    });
+  std::sort(coarse.begin(), coarse.end(), [&](Id f, Id g) {
+    return std::make_pair(-GetPerimeter(mesh, f), f) < std::make_pair(-GetPerimeter(mesh, g), g);
+  });
   std::string places = coarse.empty() ? "triangles" : Counted(coarse.size(), "triangle");
-  for (std::size_t i = 0; i < named; ++i)
+  std::vector<Offset> cells; // a cell may have several triangles
+  for (std::size_t i = 0; i < coarse.size() && cells.size() < NamedCells; ++i)
   {
-    places += JoinText(i == 0 ? " (largest cells: " : ", ", GetOriginalCell(surface, coarse[i]),
-      i + 1 == named ? ")" : "");
+    const Offset cell = GetOriginalCell(surface, coarse[i]);
+    if (std::find(cells.begin(), cells.end(), cell) == cells.end())
+    {
+      places += JoinText(cells.empty() ? " (largest cells: " : ", ", cell);
+      cells.push_back(cell);
+    }
   }
+  places += cells.empty() ? "" : ")";
   const bool isOutOfMemory = status.GetCode() == Status::Code::OutOfMemory;
   return JoinText(isOutOfMemory ? "Windows need more than {MemoryLimit}" : "Windows were not found",
     ", so errors may exceed the accuracy of the graph inside ", places, ". ",

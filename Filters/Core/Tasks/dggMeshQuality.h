@@ -93,9 +93,8 @@ constexpr const char* LongTrianglesHideSources =
 /// @}
 
 /// Returns the warning if exact distances fail on coarse triangles, so that the graph is used.
-/// Names the triangles whose errors may exceed the accuracy: those with a mean edge e so that
-/// `error` * e is more than the accuracy times the largest distance of a corner, or all triangles
-/// if there are no distances.
+/// A triangle is named if `error` times its mean edge exceeds the accuracy times the largest
+/// distance of a corner. Without distances, all triangles count.
 DGG_CORE_EXPORT std::string DescribeMissingWindows(const PreparedSurface& surface, double accuracy,
   const std::vector<double>& distances, double error, const Status& status);
 

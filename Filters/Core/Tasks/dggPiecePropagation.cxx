@@ -20,8 +20,9 @@ namespace dgg
 {
 namespace
 {
-/// Bytes of a face: single precision, slots of its edges, labels and its share of vertices.
-constexpr double BytesOfFace = 256.0;
+/// Bytes per face: mesh, PropagationFace, slots of its edges, labels and half a vertex.
+constexpr double BytesOfFace = 400.0;
+constexpr const char* MemoryRemedy = "Use more processes";
 
 /// A source with the position of its point.
 struct SentSource
@@ -35,8 +36,7 @@ Status PiecePropagation::Prepare(ProcessGroup& group, const SurfacePiece& piece,
 {
   std::vector<Signature> signatures;
   DGG_RETURN_IF_ERROR(group.Share(ComputeSignature(piece), signatures));
-  const Signature pieces = SumSignatures(signatures);
-  bool isPrepared = this->Solver && this->Pieces == pieces;
+  bool isPrepared = this->Solver && this->Pieces == signatures;
   DGG_RETURN_IF_ERROR(group.Require(isPrepared));
   isUsable = true;
   if (isPrepared)
@@ -44,7 +44,7 @@ Status PiecePropagation::Prepare(ProcessGroup& group, const SurfacePiece& piece,
     return Status::Success();
   }
   this->Solver.reset();
-  this->Pieces = pieces;
+  this->Pieces = std::move(signatures);
   return this->PrepareSurface(group, piece, isUsable);
 }
 
@@ -58,15 +58,30 @@ Status PiecePropagation::PrepareSurface(
   {
     return Status::Success();
   }
+  DGG_RETURN_IF_ERROR(group.Agree(
+    CheckMemory("Propagation", this->GetMemorySize(), group.MemoryLimit, MemoryRemedy)));
   const SurfaceMesh& mesh = this->Surface.Get().GetMeshWithoutAngles();
   std::vector<int> owners;
   for (Id f = 0; f < mesh.GetNumberOfFaces(); ++f)
   {
     owners.push_back(this->Surface.GetOwner(f));
   }
-  auto solver = std::make_unique<SourcePropagation>(mesh, this->Surface.GetMeanEdgeLength(),
-    std::make_unique<PropagationPieces>(
-      mesh, std::move(owners), this->Surface.GetTotalFaces(), group));
+  auto pieces = std::make_unique<PropagationPieces>(
+    mesh, std::move(owners), this->Surface.GetTotalFaces(), group);
+  std::vector<char> isMissed; // distances are known at corners of faces of this process
+  for (Id v = 0; v < mesh.GetNumberOfVertices(); ++v)
+  {
+    isMissed.push_back(mesh.FanBegin(v) != mesh.FanEnd(v) && !pieces->HasVertex(v) ? 1 : 0);
+  }
+  isMissed = this->Surface.ToPiece(isMissed, this->NumberOfPoints, '\0');
+  isUsable = std::find(isMissed.begin(), isMissed.end(), 1) == isMissed.end();
+  DGG_RETURN_IF_ERROR(group.Require(isUsable));
+  if (!isUsable)
+  {
+    return Status::Success();
+  }
+  auto solver =
+    std::make_unique<SourcePropagation>(mesh, this->Surface.GetMeanEdgeLength(), std::move(pieces));
   DGG_RETURN_IF_ERROR(solver->Prepare(group, isUsable));
   if (isUsable)
   {
@@ -92,18 +107,22 @@ Status PiecePropagation::Run(const TaskContext& context, ProcessGroup& group,
   options.MaximumDistance = request.MaximumDistance;
   options.Parallel = context.Parallel;
   options.Progress = context.Progress;
-  const SurfaceMesh& mesh = this->Surface.Get().GetMeshWithoutAngles();
-  const double inUse = static_cast<double>(mesh.GetMemorySize()) +
-    BytesOfFace * static_cast<double>(mesh.GetNumberOfFaces());
   PropagationResult result;
-  DGG_RETURN_IF_ERROR(this->Solver->RunPiece(group, points, options, inUse, result));
+  DGG_RETURN_IF_ERROR(
+    this->Solver->RunPiece(group, points, options, this->GetMemorySize(), result));
   KeepAboveStraightLine(this->Surface.MakeContext(context), positions,
     this->Surface.GetMeanEdgeLength(), options.MaximumDistance, result);
   DistanceResults results;
   results.MaximumDistance = request.MaximumDistance;
   results.Distances = this->Surface.ToPiece(result.Distances, this->NumberOfPoints, Infinity);
-  output.QualityWarning = result.IsSettled || group.Here > 0 ? "" : UnsettledDistances;
+  output.QualityWarning = result.IsSettled ? "" : UnsettledDistances;
   return WritePieceDistances(group, results, request, output);
+}
+
+/// Returns an estimate of the size in bytes during a propagation.
+double PiecePropagation::GetMemorySize() const
+{
+  return BytesOfFace * static_cast<double>(this->Surface.GetLayers().size());
 }
 
 /// Finds the points of all sources on the surface of this process, and their positions. `areFound`

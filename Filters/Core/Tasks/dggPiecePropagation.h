@@ -25,7 +25,8 @@ class DGG_CORE_EXPORT PiecePropagation
 public:
   /// Prepares the propagation unless no piece has changed. `isUsable` becomes false on all
   /// processes if the pieces must be gathered: for the reasons of PieceSurface::Prepare(), if a
-  /// vertex is irregular, and if triangles may be too long.
+  /// vertex is irregular, if a piece has points that only cells of other processes use, and if
+  /// triangles may be too long.
   Status Prepare(ProcessGroup& group, const SurfacePiece& piece, bool& isUsable);
 
   /// Computes distances and adds them as arrays of the points of the piece. Everything except for
@@ -38,13 +39,14 @@ public:
 
 private:
   Status PrepareSurface(ProcessGroup& group, const SurfacePiece& piece, bool& isUsable);
+  double GetMemorySize() const;
   Status FindSources(ProcessGroup& group, const SourceCollection& sources, double tolerance,
     std::vector<GeodesicSource>& points, std::vector<PlacedSource>& positions,
     bool& areFound) const;
 
   PieceSurface Surface;
   std::unique_ptr<SourcePropagation> Solver; // null unless prepared
-  Signature Pieces{};                        // of all pieces, if prepared
+  std::vector<Signature> Pieces;             // of all pieces, if prepared
   Offset NumberOfPoints = 0;                 // of the piece
 };
 }

@@ -74,10 +74,7 @@ Status PieceSearch::FollowBack(ProcessGroup& group, const SurfacePiece& piece,
     std::vector<Message> messages(this->Sent.size());
     for (std::size_t process = 0; process < left.size(); ++process)
     {
-      if (!left[process].empty())
-      {
-        Append(messages[process], left[process]);
-      }
+      AppendIfAny(messages[process], left[process]);
     }
     DGG_RETURN_IF_ERROR(group.Exchange(messages, this->GetMemorySize(), &isOver));
     open.clear();

@@ -32,23 +32,6 @@ struct GraphSize
   Offset LargestId = std::numeric_limits<Offset>::min();
 };
 
-/// A value of the k-th vertex that two processes share.
-template <typename Value>
-struct SharedValue
-{
-  Id Index;
-  Value Content;
-};
-
-/// Appends a list to a message unless the list is empty.
-template <typename Value>
-void AppendIfAny(Message& message, const std::vector<Value>& list)
-{
-  if (!list.empty())
-  {
-    Append(message, list);
-  }
-}
 }
 
 Status PieceSearch::Prepare(ProcessGroup& group, const SurfacePiece& piece, const GraphView& graph,

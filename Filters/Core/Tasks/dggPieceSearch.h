@@ -115,12 +115,14 @@ public:
   ///@}
   /// Returns the vertices with edges that belong to this process, in the order of their global ids.
   std::vector<Id> ListConnected() const;
-  /// Returns the global ids of the vertices, of which the first are the points of the piece.
+  /// Returns the global ids of the vertices.
   const std::vector<Offset>& GetIds() const { return this->Ids; }
   ///@{
   /// The graph of this process, and its correction.
   const GraphView& GetGraph() const { return this->Graph; }
   const LabelCorrection& GetCorrection() const { return *this->Correction; }
+  /// Returns the number of points of the piece, which are the first vertices.
+  Id GetPointsHere() const { return this->PointsHere; }
   /// Returns true if a vertex belongs to this process.
   bool IsHere(Id v) const { return this->Ghosts.Owners[v] == GhostVertices::Here; }
   /// Returns, per process p, the vertices of this process that p has as well, and the vertices of p

@@ -53,23 +53,24 @@ PieceSites::PieceSites(PieceSearch& search, const PieceSurface& surface)
 Status PieceSites::Run(ProcessGroup& group, const std::vector<PieceSeed>& seeds,
   const ProgressCallback& progress, Lists& entries, bool& isUsable)
 {
+  NearestSites nearest;
   DGG_RETURN_IF_ERROR(
-    this->FindNearest(group, seeds, ProgressPart(progress, 0.0, NearestShare), isUsable));
+    this->FindNearest(group, seeds, ProgressPart(progress, 0.0, NearestShare), nearest, isUsable));
   if (!isUsable)
   {
     return Status::Success();
   }
   const std::vector<GraphSeed> here = this->Search.TakeSeeds(seeds);
-  FartherSites farther(this->Search.GetGraph(), &this->Search.GetCorrection(), this->Nearest, here,
-    this->Limits, this->Search.GetIds().data());
+  FartherSites farther(this->Search.GetGraph(), &this->Search.GetCorrection(), nearest, here,
+    this->FindLimits(nearest), this->Search.GetIds().data());
   DGG_RETURN_IF_ERROR(this->FindLabels(group, farther, ProgressPart(progress, NearestShare, 1.0)));
   DGG_RETURN_IF_ERROR(this->FindEstimates(group, farther, isUsable));
   entries = Lists();
-  for (Id v = 0; v < this->NumberOfPoints && isUsable; ++v)
+  for (Id v = 0; v < this->Search.GetPointsHere() && isUsable; ++v)
   {
     if (this->Search.IsHere(v))
     {
-      SiteDistances::AddList(this->Nearest, farther, v, entries);
+      SiteDistances::AddList(nearest, farther, v, entries);
     }
     else
     {
@@ -79,10 +80,9 @@ Status PieceSites::Run(ProcessGroup& group, const std::vector<PieceSeed>& seeds,
   return Status::Success();
 }
 
-/// Finds the nearest sites of all vertices, and the limits of further labels. Labels of vertices
-/// that belong to other processes are only received.
+/// Finds the nearest sites of all vertices.
 Status PieceSites::FindNearest(ProcessGroup& group, const std::vector<PieceSeed>& seeds,
-  const ProgressCallback& progress, bool& isUsable)
+  const ProgressCallback& progress, NearestSites& nearest, bool& isUsable) const
 {
   PieceSearchOptions options;
   options.Correct = true;
@@ -95,33 +95,38 @@ Status PieceSites::FindNearest(ProcessGroup& group, const std::vector<PieceSeed>
   {
     return Status::Success();
   }
-  const GraphView& graph = this->Search.GetGraph();
-  this->NumberOfPoints = static_cast<Id>(found.Labels.size());
-  std::vector<NearestSite> nearest(static_cast<std::size_t>(graph.NumberOfVertices));
-  for (Id v = 0; v < this->NumberOfPoints; ++v)
+  std::vector<NearestSite> sites(
+    static_cast<std::size_t>(this->Search.GetGraph().NumberOfVertices));
+  for (std::size_t v = 0; v < found.Labels.size(); ++v)
   {
-    nearest[v] = { found.NearestSource[v], { found.Virtual[v], found.Corrected[v] } };
+    sites[v] = { found.NearestSource[v], { found.Virtual[v], found.Corrected[v] } };
   }
-  DGG_RETURN_IF_ERROR(this->Search.TakeFromOwners(group, nearest));
-  this->Nearest = NearestSites();
-  this->Nearest.Labels = this->Search.GetLabels();
-  for (const NearestSite& site : nearest)
+  DGG_RETURN_IF_ERROR(this->Search.TakeFromOwners(group, sites));
+  nearest.Labels = this->Search.GetLabels();
+  for (const NearestSite& site : sites)
   {
-    this->Nearest.Sites.push_back(site.Site);
-    this->Nearest.Distances.push_back(site.Estimate.Distance);
-    this->Nearest.Sources.push_back(site.Estimate.Source);
+    nearest.Sites.push_back(site.Site);
+    nearest.Distances.push_back(site.Estimate.Distance);
+    nearest.Sources.push_back(site.Estimate.Source);
   }
+  return Status::Success();
+}
+
+/// Returns the limits of labels. Labels of vertices that belong to other processes are only
+/// received.
+std::vector<double> PieceSites::FindLimits(const NearestSites& nearest) const
+{
   const std::vector<double> reach = this->Surface.ToPiece(
-    MeasureReach(this->Surface.Get().GetMeshWithoutAngles()), this->NumberOfPoints, 0.0);
-  this->Limits.assign(nearest.size(), -1.0);
-  for (Id v = 0; v < this->NumberOfPoints; ++v)
+    MeasureReach(this->Surface.Get().GetMeshWithoutAngles()), this->Search.GetPointsHere(), 0.0);
+  std::vector<double> limits(nearest.Sites.size(), -1.0);
+  for (Id v = 0; v < this->Search.GetPointsHere(); ++v)
   {
     if (this->Search.IsHere(v))
     {
-      this->Limits[v] = LimitOfLabel(graph.Info, this->Nearest.Labels[v], reach[v]);
+      limits[v] = LimitOfLabel(this->Search.GetGraph().Info, nearest.Labels[v], reach[v]);
     }
   }
-  return Status::Success();
+  return limits;
 }
 
 Status PieceSites::FindLabels(
@@ -209,10 +214,7 @@ Status PieceSites::Exchange(ProcessGroup& group, const FartherSites& farther,
   messages.assign(lists.size(), Message());
   for (std::size_t process = 0; process < lists.size(); ++process)
   {
-    if (!lists[process].empty())
-    {
-      Append(messages[process], lists[process]);
-    }
+    AppendIfAny(messages[process], lists[process]);
   }
   return group.Exchange(messages,
     this->Search.GetMemorySize() +

@@ -43,7 +43,8 @@ private:
   };
 
   Status FindNearest(ProcessGroup& group, const std::vector<PieceSeed>& seeds,
-    const ProgressCallback& progress, bool& isUsable);
+    const ProgressCallback& progress, NearestSites& nearest, bool& isUsable) const;
+  std::vector<double> FindLimits(const NearestSites& nearest) const;
   Status FindLabels(ProcessGroup& group, FartherSites& farther, const ProgressCallback& progress);
   Status FindEstimates(ProcessGroup& group, FartherSites& farther, bool& isUsable);
   template <typename Value>
@@ -52,9 +53,6 @@ private:
 
   PieceSearch& Search;
   const PieceSurface& Surface;
-  Id NumberOfPoints = 0; // of the piece
-  NearestSites Nearest;
-  std::vector<double> Limits;
   std::vector<Reader> Readers;
   Groups ReadersOf; // per vertex, members of Readers
 };

@@ -110,9 +110,9 @@ Status PieceSurface::Prepare(ProcessGroup& group, const SurfacePiece& piece, boo
   return isUsable ? this->MakeSurface() : Status::Success();
 }
 
-Status PieceSurface::Grow(ProcessGroup& group, int layers)
+Status PieceSurface::Grow(ProcessGroup& group, int layers, double inUse)
 {
-  DGG_RETURN_IF_ERROR(this->Region.Grow(group, layers, true, 0.0));
+  DGG_RETURN_IF_ERROR(this->Region.Grow(group, layers, true, inUse));
   this->NumberOfLayers += layers;
   this->MakeArrays();
   return this->MakeSurface();

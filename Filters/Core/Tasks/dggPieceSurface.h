@@ -36,8 +36,8 @@ public:
   /// if there are other cells than polygons, and if a process has points but no cells.
   Status Prepare(ProcessGroup& group, const SurfacePiece& piece, bool& isUsable);
 
-  /// Adds layers of cells.
-  Status Grow(ProcessGroup& group, int layers);
+  /// Adds layers of cells. `inUse` are the bytes that this process uses besides the surface.
+  Status Grow(ProcessGroup& group, int layers, double inUse);
   /// Returns a builder that links points of the surface; null without faces.
   const GraphBuilder* GetBuilder();
 
@@ -97,12 +97,12 @@ public:
   /// (PieceLocator::Locate()).
   Status Locate(ProcessGroup& group, const SourceCollection& sources, double tolerance,
     PiecePoints& here) const;
-  /// Adds a point of the entire surface, given by its number, if the point belongs to this
+  /// Adds a point of the entire surface, given by its index, if the point belongs to this
   /// process.
   void AddVertex(Offset point, std::size_t index, int process, PiecePoints& here) const;
   /// Returns the vertex at a point with a global id; NoId if the point is not on the surface.
   Id FindVertex(Offset globalId) const;
-  /// Returns the vertex at a point of the entire surface, given by its number, or NoId.
+  /// Returns the vertex at a point of the entire surface, given by its index, or NoId.
   Id GetVertexOf(Offset point) const { return this->FindVertex(this->FirstPoint + point); }
   /// Returns values of the points of the piece, given those of the vertices of this surface; `none`
   /// at points without cells.
@@ -126,7 +126,7 @@ public:
   Status WritePoints(
     const TaskContext& context, ProcessGroup& group, const PiecePoints& here, Output& output) const;
   /// Replaces the points and cells in the arrays `vtkOriginalPointIds` and `FaceId` of an output by
-  /// their numbers on the entire surface.
+  /// their indices on the entire surface.
   void Renumber(Output& output) const;
 
 private:

@@ -235,10 +235,7 @@ Status PieceVirtualSources::Merge(ProcessGroup& group, const Forest& forest,
         }
       }
       messages[process].clear();
-      if (!list.empty())
-      {
-        Append(messages[process], list);
-      }
+      AppendIfAny(messages[process], list);
     }
     std::copy_n(lengths.begin(), n, known.begin());
     DGG_RETURN_IF_ERROR(group.Exchange(messages, inUse, &isOver));

@@ -88,8 +88,8 @@ public:
     int layers = FirstLayers;
     if (isDone && this->IsRefined && this->Surface.GetNumberOfLayers() < layers)
     {
-      DGG_RETURN_IF_ERROR(
-        this->Surface.Grow(this->Group, layers - this->Surface.GetNumberOfLayers()));
+      DGG_RETURN_IF_ERROR(this->Surface.Grow(
+        this->Group, layers - this->Surface.GetNumberOfLayers(), this->GetMemorySize()));
     }
     for (bool isComplete = false; isDone && !isComplete; layers *= 2)
     {
@@ -98,7 +98,7 @@ public:
       DGG_RETURN_IF_ERROR(this->Group.Require(isComplete));
       if (isDone && !isComplete)
       {
-        DGG_RETURN_IF_ERROR(this->Surface.Grow(this->Group, layers));
+        DGG_RETURN_IF_ERROR(this->Surface.Grow(this->Group, layers, this->GetMemorySize()));
       }
     }
     return Status::Success();
@@ -109,9 +109,10 @@ public:
   {
     const SourceCollection& sites = this->Input.Sites;
     const VoronoiDiagram& diagram = this->Result.Diagram;
+    const Offset points = this->Input.Search.GetPointsHere();
     DistanceResults results;
-    results.Distances = this->Surface.ToPiece(diagram.Distances, this->NumberOfPoints, Infinity);
-    results.NearestSource = this->Surface.ToPiece(diagram.NearestSites, this->NumberOfPoints, NoId);
+    results.Distances = this->Surface.ToPiece(diagram.Distances, points, Infinity);
+    results.NearestSource = this->Surface.ToPiece(diagram.NearestSites, points, NoId);
     DGG_RETURN_IF_ERROR(
       WritePieceDistances(this->Group, results, MakeRequest(this->Input.Voronoi), output.Labels));
     const std::string warning = sites.DescribeIsolated(this->Isolated, false);
@@ -146,12 +147,9 @@ private:
     {
       kept.push_back(seeds[i]);
     }
-    DGG_RETURN_IF_ERROR(
-      PieceSites(input.Search, this->Surface)
-        .Run(this->Group, kept, ProgressPart(this->Context.Progress, 0.0, DistancesShare),
-          this->Entries, isDone));
-    this->NumberOfPoints = static_cast<Offset>(this->Entries.Begins.size()) - 1;
-    return Status::Success();
+    PieceSites finder(input.Search, this->Surface);
+    return finder.Run(this->Group, kept, ProgressPart(this->Context.Progress, 0.0, DistancesShare),
+      this->Entries, isDone);
   }
 
   /// Computes the diagram on the present surface. `isComplete` becomes false if links met the rim
@@ -190,6 +188,13 @@ private:
     return this->IsRefined ? this->CheckBorders(refinement.get(), isDone) : Status::Success();
   }
 
+  /// Returns an estimate of the size in bytes, without the surface.
+  double GetMemorySize() const
+  {
+    return this->Input.Search.GetMemorySize() +
+      static_cast<double>(this->Entries.Values.size() * sizeof(SiteDistances::Entry));
+  }
+
   /// Makes `isDone` false if a single process would limit the work of links, or compute exact cells
   /// because of coarse triangles.
   Status CheckBorders(const BorderRefinement* refinement, bool& isDone)
@@ -222,7 +227,6 @@ private:
   bool IsRefined;
   std::vector<std::size_t> Isolated; // sites
   PieceSites::Lists Entries;         // per point of the piece, later of the region
-  Offset NumberOfPoints = 0;         // of the piece
   VoronoiResult Result;
 };
 }

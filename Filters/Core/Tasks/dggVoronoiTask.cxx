@@ -100,14 +100,13 @@ class VoronoiWriter
 {
 public:
   VoronoiWriter(const TaskContext& context, const VoronoiOptions& options,
-    const VoronoiResult& result, const std::vector<double>& areas, bool areOthersUnreached = false)
+    const VoronoiResult& result, const std::vector<double>& areas)
     : Context(context)
     , Options(options)
     , Result(result)
     , Areas(areas)
     , Diagram(result.Diagram)
     , NumberOfVertices(static_cast<Id>(result.Diagram.Distances.size()))
-    , AreOthersUnreached(areOthersUnreached)
   {
   }
 
@@ -120,7 +119,7 @@ public:
     {
       points[i] = this->Context.Surface.GetVertex(static_cast<Offset>(i));
     }
-    this->WriteDistances(points, output);
+    this->WriteDistances(points, false, output);
     std::int32_t* const sites =
       output.PointData.Add<std::int32_t>(this->Options.SourceName, nearest.size());
     std::copy(nearest.begin(), nearest.end(), sites);
@@ -135,7 +134,7 @@ public:
   void WriteBorders(Output& output) const
   {
     const std::vector<Id> used = ListUsed(this->Diagram.CurvePoints);
-    this->WritePoints(used, output);
+    this->WritePoints(used, false, output);
     const std::size_t count = this->Diagram.GetNumberOfCurves();
     output.Lines.Offsets = Buffer<Offset>(count + 1);
     output.Lines.Points = Buffer<Offset>(this->Diagram.CurvePoints.size());
@@ -153,9 +152,9 @@ public:
   }
 
   /// Writes polygons with the listed points, in ascending order.
-  void WriteCells(const std::vector<Id>& points, Output& output) const
+  void WriteCells(const std::vector<Id>& points, bool areOthersUnreached, Output& output) const
   {
-    this->WritePoints(points, output);
+    this->WritePoints(points, areOthersUnreached, output);
     const std::size_t count = this->Diagram.GetNumberOfPolygons();
     output.Polygons.Offsets = Buffer<Offset>(count + 1);
     output.Polygons.Points = Buffer<Offset>(this->Diagram.PolygonPoints.size());
@@ -218,7 +217,7 @@ private:
   }
 
   /// Writes positions and distances of points of the diagram.
-  void WritePoints(const std::vector<Id>& points, Output& output) const
+  void WritePoints(const std::vector<Id>& points, bool areOthersUnreached, Output& output) const
   {
     std::vector<SurfacePoint> places;
     places.reserve(points.size());
@@ -227,10 +226,10 @@ private:
       places.push_back(this->GetPlace(point));
     }
     WritePositions(this->Context.Surface, places, output);
-    this->WriteDistances(points, output);
+    this->WriteDistances(points, areOthersUnreached, output);
   }
 
-  void WriteDistances(const std::vector<Id>& points, Output& output) const
+  void WriteDistances(const std::vector<Id>& points, bool areOthersUnreached, Output& output) const
   {
     std::vector<double> distances;
     distances.reserve(points.size());
@@ -241,7 +240,7 @@ private:
           : this->Diagram.BorderDistances[point - this->NumberOfVertices]);
     }
     AddDistances(this->Options.DistanceName, distances, this->Options.UnreachedValue,
-      output.PointData, this->AreOthersUnreached);
+      output.PointData, areOthersUnreached);
   }
 
   const TaskContext& Context;
@@ -250,7 +249,6 @@ private:
   const std::vector<double>& Areas;
   const VoronoiDiagram& Diagram;
   Id NumberOfVertices;
-  bool AreOthersUnreached;
 };
 }
 
@@ -371,7 +369,7 @@ void WriteVoronoi(const TaskContext& context, const VoronoiOptions& options,
     std::vector<Id> points(writer.GetNumberOfPoints());
     std::iota(points.begin(), points.end(), 0);
     writer.WriteBorders(borders);
-    writer.WriteCells(points, cells);
+    writer.WriteCells(points, false, cells);
     AddCellAreas(areas, sites);
   }
 }
@@ -381,9 +379,10 @@ void WriteVoronoiPiece(const TaskContext& context, const VoronoiOptions& options
   const VoronoiResult& result, const std::vector<double>& areas, bool areOthersUnreached,
   Output& borders, Output& cells)
 {
-  const VoronoiWriter writer(context, options, result, areas, areOthersUnreached);
+  const VoronoiWriter writer(context, options, result, areas);
   writer.WriteBorders(borders);
-  writer.WriteCells(VoronoiWriter::ListUsed(result.Diagram.PolygonPoints), cells);
+  writer.WriteCells(
+    VoronoiWriter::ListUsed(result.Diagram.PolygonPoints), areOthersUnreached, cells);
 }
 
 //------------------------------------------------------------------------------
