@@ -49,13 +49,13 @@ Status PropagationRounds::Next(const PropagationSlot* slots, const PropagationPi
       pop();
     }
   };
-  constexpr double isNear = -1.0; // before all buckets
+  constexpr double BeforeBuckets = -1.0;
   std::vector<BucketQueue::Entry>& chosen = entries.front();
-  for (double isNoneChosen = 1.0; isNoneChosen != 0.0;)
+  for (bool isAnyChosen = false; !isAnyChosen;)
   {
     dropOutdated();
-    double next = this->Near.empty() ? Infinity : isNear;
-    for (std::size_t i = 0; i < this->Queues.size() && next != isNear; ++i)
+    double next = this->Near.empty() ? Infinity : BeforeBuckets;
+    for (std::size_t i = 0; i < this->Queues.size() && next != BeforeBuckets; ++i)
     {
       next = std::min(next, this->Queues[i].FindNext());
     }
@@ -70,7 +70,7 @@ Status PropagationRounds::Next(const PropagationSlot* slots, const PropagationPi
       this->Queues[i].AdvanceTo(next);
       this->Queues[i].TakeCurrent(entries[i]);
     }
-    if (next != isNear && this->Width == 1.0F)
+    if (next != BeforeBuckets && this->Width == 1.0F)
     {
       return Status::Success();
     }
@@ -95,8 +95,9 @@ Status PropagationRounds::Next(const PropagationSlot* slots, const PropagationPi
       }
       pop();
     }
-    isNoneChosen = chosen.empty() ? 1.0 : 0.0;
-    DGG_RETURN_IF_ERROR(findLeast(isNoneChosen));
+    double none = chosen.empty() ? 1.0 : 0.0; // 0 if a process has chosen labels
+    DGG_RETURN_IF_ERROR(findLeast(none));
+    isAnyChosen = none == 0.0;
   }
   return Status::Success();
 }

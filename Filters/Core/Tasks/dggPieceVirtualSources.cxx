@@ -30,13 +30,6 @@ struct PieceTriangles
     this->Anisotropy.Add(piece.Anisotropy);
   }
 };
-
-/// Length of the virtual source of the k-th relay in a list of requested ones.
-struct MergedLength
-{
-  Id Index;
-  double Length;
-};
 }
 
 /// Relays of the points of the piece that belong to this process. Nodes are the points of the
@@ -225,7 +218,7 @@ Status PieceVirtualSources::Merge(ProcessGroup& group, const Forest& forest,
     }
     for (std::size_t process = 0; process < messages.size(); ++process)
     {
-      std::vector<MergedLength> list;
+      std::vector<SharedValue<double>> list;
       for (std::size_t k = 0; k < forest.Sent[process].size(); ++k)
       {
         const Id point = forest.Sent[process][k];
@@ -241,10 +234,10 @@ Status PieceVirtualSources::Merge(ProcessGroup& group, const Forest& forest,
     DGG_RETURN_IF_ERROR(group.Exchange(messages, inUse, &isOver));
     for (std::size_t process = 0; process < messages.size(); ++process)
     {
-      for (const auto& merged : MessageReader(messages[process]).Take<MergedLength>())
+      for (const auto& merged : MessageReader(messages[process]).Take<SharedValue<double>>())
       {
         const Id node = forest.Received[process][merged.Index];
-        lengths[node] = merged.Length;
+        lengths[node] = merged.Content;
         changed.push_back(node);
       }
     }
