@@ -32,9 +32,9 @@ struct PieceDistanceOptions
   bool Correct = true;    ///< false: lengths of paths in the graph
 };
 
-/// Finds the seeds of a collection, which is the same on all processes, and those of them (by their
-/// indices) at points without edges. `links` may be null if there are no positions. Must be called
-/// by all processes.
+/// Finds the seeds of a collection, which is the same on all processes. `isolated` receives the
+/// indices of seeds at points without edges. `links` may be null if there are no positions. Must be
+/// called by all processes.
 DGG_CORE_EXPORT Status MakePieceSeeds(ProcessGroup& group, const PieceSearch& search,
   PieceLinks* links, const SourceCollection& sources, const PieceDistanceOptions& options,
   std::vector<PieceSeed>& seeds, std::vector<std::size_t>& isolated);

@@ -28,9 +28,9 @@ public:
   /// The arguments must outlive this object.
   PieceSites(PieceSearch& search, const PieceSurface& surface);
 
-  /// Computes the entries of the points of the piece that belong to this process, the same as those
-  /// of SiteDistances::Run() on the entire surface. `isUsable` becomes false on all processes for
-  /// the reasons of PieceSearch::Run().
+  /// Computes the entries of SiteDistances::Run() on the entire surface, for the points of the
+  /// piece that belong to this process. `isUsable` becomes false on all processes for the reasons
+  /// of PieceSearch::Run().
   Status Run(ProcessGroup& group, const std::vector<PieceSeed>& seeds,
     const ProgressCallback& progress, Lists& entries, bool& isUsable);
 

@@ -83,7 +83,7 @@ struct PieceNumbers
 struct SharedPoint
 {
   std::size_t Index;
-  SurfacePoint Point; // vertices, half-edges and faces are those of the sender
+  SurfacePoint Point; // with vertices, half-edges and faces of the sender
   Offset GlobalId;    // of the point at a vertex, otherwise of the cell
   Id Triangle;        // of the cell
 };

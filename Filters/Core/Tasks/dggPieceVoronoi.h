@@ -33,7 +33,7 @@ struct PieceVoronoiOutput
   DistanceOutput Labels; ///< arrays of the points of the piece
   Output Borders;        ///< in the cells of the piece
   Output Cells;          ///< in the cells of the piece
-  Output Sites;          ///< those of all processes on the first one
+  Output Sites;          ///< sites of all processes, on the first one
 };
 
 /// Computes labels or cells of sites together with the other processes. The outputs are those of

@@ -29,8 +29,8 @@ namespace dgg
 class BorderRefinement
 {
 public:
-  /// All arguments must outlive the object. `sites` are the positions of all sites; those outside
-  /// of a region have no vertex. Links have the given `accuracy`; distances may differ by a
+  /// All arguments must outlive the object. `sites` are the positions of all sites; a site outside
+  /// of a region has the vertex NoId. Links have the given `accuracy`; distances may differ by a
   /// fraction of it.
   BorderRefinement(const SurfaceMesh& mesh, const SiteDistances& distances,
     const GraphBuilder& builder, double accuracy, const std::vector<SurfacePoint>& sites);

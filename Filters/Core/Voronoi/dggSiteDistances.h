@@ -16,8 +16,8 @@ namespace dgg
 class FartherSites;
 struct NearestSites;
 
-/// Returns the indices of the seeds without those of duplicate sites: sites with exactly the seeds
-/// of an earlier one. `points` are the points of the seeds.
+/// Returns the indices of the seeds of distinct sites. A site with exactly the seeds of an earlier
+/// one is a duplicate. `points` are the points of the seeds.
 std::vector<std::size_t> ListDistinctSeeds(
   const std::vector<GraphSeed>& seeds, const std::vector<Offset>& points);
 
@@ -53,7 +53,7 @@ public:
   Status Run(const GraphSearch& search, const SurfaceMesh& mesh,
     const std::vector<GraphSeed>& seeds, const ProgressCallback& progress);
 
-  /// Replaces the entries by those of the caller: one list per vertex, sorted by site.
+  /// Sets the entries: one list per vertex, sorted by site.
   void Set(bool hasVirtualSources, ValueLists<Entry> entries);
   /// Adds the list of a vertex, of final labels and estimates.
   static void AddList(
