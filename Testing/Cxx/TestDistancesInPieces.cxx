@@ -206,6 +206,23 @@ TEST_F(PieceGraph, BelongsToItsPiece)
 }
 
 //------------------------------------------------------------------------------
+/// One warning says that the graph on the input is coarser than requested.
+TEST_F(PieceGraph, WarnsOnceAboutACoarserGraph)
+{
+  const auto graph =
+    this->Together<vtkDiscreteGeodesicGraph>(this->TakeStrip(this->Surface, PartIds::Global),
+      [](auto* filter) { filter->SetAccuracy(0.3); });
+  vtkNew<vtkDGGDistance> distance;
+  distance->SetInputConnection(graph->GetOutputPort());
+  distance->SetAccuracy(0.05);
+  distance->SetSourceIds({ 0 });
+  const Listener listener(distance);
+  this->Update(distance);
+  EXPECT_TRUE(distance->GetUsedInputGraph());
+  EXPECT_EQ(listener.Warnings.size(), this->IsFirst() ? 1u : 0u);
+}
+
+//------------------------------------------------------------------------------
 /// Global ids number the points, also if one process has all of them.
 TEST_F(PieceGraph, IdsNumberThePointsOfOneProcess)
 {

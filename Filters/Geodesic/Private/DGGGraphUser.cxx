@@ -4,6 +4,7 @@
 #include "DGGProperties.h"
 
 #include "dggGraphBuildTask.h"
+#include "dggProcessGroup.h"
 #include "dggStatus.h"
 
 #include "vtkObject.h"
@@ -114,6 +115,7 @@ dgg::Status DGGGraphUser::UpdatePiece(const DGGContext& context, dgg::ProcessGro
 {
   dgg::GraphOptions options;
   options.Accuracy = this->Accuracy;
+  this->IsOnFirst = group.Here == 0;
   std::vector<std::string> warnings;
   DGG_RETURN_IF_ERROR(this->Piece.Update(context, group, piece, options, true, isDone, warnings));
   for (const std::string& warning : warnings)
@@ -134,7 +136,7 @@ void DGGGraphUser::UsePiece(vtkObject* filter)
     this->PieceTime = found;
     this->WarnedAccuracy = 0.0;
   }
-  if (found != 0)
+  if (found != 0 && this->IsOnFirst)
   {
     this->WarnAboutAccuracy(filter);
   }

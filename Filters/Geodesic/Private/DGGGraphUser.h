@@ -99,6 +99,7 @@ private:
   vtkTimeStamp BuildTime;
   DGGPieceGraph Piece;
   bool UsesPiece = false;
+  bool IsOnFirst = true;      // process of the last UpdatePiece()
   vtkMTimeType PieceTime = 0; // time when the graph of a piece in use was found; 0 if unused
 };
 
