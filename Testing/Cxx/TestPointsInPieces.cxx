@@ -11,6 +11,7 @@
 
 #include <cmath>
 #include <functional>
+#include <limits>
 
 using namespace dggtest;
 
@@ -141,6 +142,15 @@ TEST_P(PointsInPieces, SamplesAreTheSame)
     { "SquaredDistanceOverflows",
       [](F* filter) {
         filter->SetStartData(MakeSourcePoints({ { { 0.5, 0.5, 1e200 } } }));
+      } },
+    { "DistantStarts",
+      [](F* filter) {
+        filter->SetStartData(MakeSourcePoints({ { { 0.5, 0.5, 9.0 } }, { { 0.5, 0.5, 1e200 } } }));
+      } },
+    { "LargestTolerance",
+      [](F* filter) {
+        filter->SetStartData(MakeSourcePoints({ { { 0.5, 0.5, 1e200 } } }));
+        filter->SetProjectionTolerance(std::numeric_limits<double>::max());
       } },
     { "NoStart", [](F* filter) { filter->SetStartData(vtkNew<vtkPolyData>()); } },
   };

@@ -56,8 +56,8 @@ public:
   /// Returns the smallest key of the first non-empty bucket, rounded down; infinity if all buckets
   /// are empty.
   double FindNext() const;
-  /// Advances to the bucket of a key: the smallest FindNext() of several queues with the same origin
-  /// and width.
+  /// Advances to the bucket of a key: the smallest FindNext() of several queues with the same
+  /// origin and width.
   void AdvanceTo(double key);
 
   /// Removes the entries of the current bucket for which `isOutdated(entry)` holds.

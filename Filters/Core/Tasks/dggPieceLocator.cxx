@@ -95,7 +95,7 @@ Status PieceLocator::Locate(
       here.Add(begin + i, closest[i]);
       const double distance = (*best)[i].Distance;
       const bool isClose =
-        this->ClosestPoints && this->ClosestPoints->IsClose({}, distance, tolerance * diagonal);
+        distance < Infinity && this->ClosestPoints->IsClose({}, distance, tolerance * diagonal);
       if (!isClose && firstFar == count)
       {
         firstFar = begin + i;
@@ -105,9 +105,10 @@ Status PieceLocator::Locate(
   }
   std::vector<std::size_t> far;
   DGG_RETURN_IF_ERROR(group.Share(firstFar, far));
-  return firstFar < count && firstFar == *std::min_element(far.begin(), far.end())
-    ? sources.RefuseDistant(firstFar, farDistance, tolerance, diagonal)
-    : Status::Success();
+  const bool isFirst =
+    firstFar < count && firstFar == *std::min_element(far.begin(), far.end()); // of all processes
+  return group.Agree(isFirst ? sources.RefuseDistant(firstFar, farDistance, tolerance, diagonal)
+                             : Status::Success());
 }
 
 SurfacePoint PieceLocator::FindClosestPoint(const std::array<double, 3>& position) const

@@ -12,6 +12,7 @@
 #include "dggSurfacePath.h"
 #include "dggTaskContext.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <utility>
