@@ -17,8 +17,8 @@ namespace
 /// Lower bounds of the size of tables (measured: 64 to 66) and landmarks, bytes per vertex.
 constexpr double BytesOfTables = 55.0;
 constexpr double BytesOfLandmarks = 68.0;
-/// Lower bound of the size of the table that links points, bytes per vertex: a crossing and an angle
-/// for each of six half-edges.
+/// Lower bound of the size of the table that links points, bytes per vertex: a crossing and an
+/// angle for each of six half-edges.
 constexpr double BytesOfBuilder = 6 * 72.0;
 
 class SharedGraph : public ::testing::Test
